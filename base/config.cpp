@@ -1,0 +1,255 @@
+#include "base/config.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <toml++/toml.h>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
+
+namespace base {
+
+bool Range::contains(double value) const {
+  if (!std::isfinite(value)) return false;
+  if (low_open ? value <= low : value < low) return false;
+  return high_open ? value < high : value <= high;
+}
+
+std::string Range::text() const {
+  const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
+  if (has_low && has_high) {
+    return fmt::format("{} {} and {} {}", low_open ? "above" : "at least", low, high_open ? "below" : "at most", high);
+  }
+  if (has_low) return fmt::format("{} {}", low_open ? "above" : "at least", low);
+  if (has_high) return fmt::format("{} {}", high_open ? "below" : "at most", high);
+  return "any finite number";
+}
+
+struct ConfigFile::State {
+  toml::table root;
+  std::string name;
+  std::filesystem::path folder;
+  std::set<std::string> known_tables{""};
+  std::set<std::string> known_keys;  // "section.key"; entries of an array of tables share theirs
+
+  [[noreturn]] void refuse(const toml::node& node, const std::string& what, const std::string& why) const {
+    throw InputError(fmt::format("{}:{}: {} ({})", name, node.source().begin.line, what, why));
+  }
+};
+
+namespace {
+
+std::string source_text(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&text](const auto& value) { text << value; });
+  return text.str();
+}
+
+std::string qualified(const std::string& section, const std::string& key) {
+  return section.empty() ? key : section + "." + key;
+}
+
+/// Copies one TOML value into its field, checked; `refuse` reports what was seen and why it is not allowed.
+template <class Refuse>
+void assign(const toml::node& node, const Field& field, const Refuse& refuse) {
+  const auto number = [&](const toml::node& entry) {
+    const auto value = entry.is_number() ? entry.value<double>() : std::nullopt;
+    if (!value) refuse(entry, "must be a number");
+    if (!field.range.contains(*value)) refuse(entry, "must be " + field.range.text());
+    return *value;
+  };
+  const auto integer = [&](const toml::node& entry) {
+    if (!entry.is_integer()) refuse(entry, "must be a whole number");
+    const double value = number(entry);
+    if (std::abs(value) > std::numeric_limits<int>::max()) refuse(entry, "is too large for a whole number here");
+    return static_cast<int>(value);
+  };
+  const auto list = [&](auto* target, const auto& convert, const char* kind) {
+    const toml::array* entries = node.as_array();
+    if (entries == nullptr || entries->empty()) refuse(node, std::string("must be a list of ") + kind);
+    target->clear();
+    for (const toml::node& entry : *entries) target->push_back(convert(entry));
+  };
+
+  if (auto* real = std::get_if<double*>(&field.target)) {
+    **real = number(node) * field.si_per_unit;
+  } else if (auto* whole = std::get_if<int*>(&field.target)) {
+    **whole = integer(node);
+  } else if (auto* flag = std::get_if<bool*>(&field.target)) {
+    if (!node.is_boolean()) refuse(node, "must be true or false");
+    **flag = *node.value<bool>();
+  } else if (auto* text = std::get_if<std::string*>(&field.target)) {
+    if (!node.is_string()) refuse(node, "must be a text in quotes");
+    **text = *node.value<std::string>();
+  } else if (auto* reals = std::get_if<std::vector<double>*>(&field.target)) {
+    list(*reals, [&](const toml::node& entry) { return number(entry) * field.si_per_unit; }, "numbers");
+  } else {
+    list(std::get<std::vector<int>*>(field.target), integer, "whole numbers");
+  }
+}
+
+std::string value_text(const Field& field) {
+  const auto real = [&field](double value) { return fmt::format("{:.15g}", value / field.si_per_unit); };
+  const auto joined = [](const auto& values, const auto& convert) {
+    std::string text;
+    for (const auto& value : values) text += (text.empty() ? "" : ", ") + convert(value);
+    return "[" + text + "]";
+  };
+  if (auto* number = std::get_if<double*>(&field.target)) return real(**number);
+  if (auto* whole = std::get_if<int*>(&field.target)) return std::to_string(**whole);
+  if (auto* flag = std::get_if<bool*>(&field.target)) return **flag ? "true" : "false";
+  if (auto* text = std::get_if<std::string*>(&field.target)) {
+    std::ostringstream quoted;
+    quoted << toml::value<std::string>(**text);
+    return quoted.str();
+  }
+  if (auto* reals = std::get_if<std::vector<double>*>(&field.target)) return joined(**reals, real);
+  return joined(*std::get<std::vector<int>*>(field.target), [](int value) { return std::to_string(value); });
+}
+
+}  // namespace
+
+ConfigFile::ConfigFile(std::unique_ptr<State> state) : state_(std::move(state)) {}
+ConfigFile::~ConfigFile() = default;
+ConfigFile::ConfigFile(ConfigFile&&) noexcept = default;
+
+ConfigFile ConfigFile::from_text(std::string_view text, const std::string& name) {
+  auto state = std::make_unique<State>();
+  state->name = name;
+  try {
+    state->root = toml::parse(text, std::string_view(name));
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}:{}:{}: {}", name, error.source().begin.line, error.source().begin.column,
+                                 error.description()));
+  }
+  return ConfigFile(std::move(state));
+}
+
+ConfigFile ConfigFile::read(const std::filesystem::path& path) {
+  ConfigFile file = from_text(read_whole(path), path.string());
+  file.state_->folder = path.parent_path();
+  return file;
+}
+
+namespace {
+
+template <class State, class Refuse>
+void fill_table(State& state, const toml::table& table, const Section& section, int line, const Refuse& refuse) {
+  for (const Field& field : section.fields) {
+    state.known_keys.insert(qualified(section.name, field.name));
+    const toml::node* node = table.get(field.name);
+    if (node != nullptr) {
+      assign(*node, field, [&](const toml::node& at, const std::string& why) {
+        refuse(at, qualified(section.name, field.name) + " = " + source_text(at), why);
+      });
+    } else if (field.required) {
+      throw InputError(fmt::format("{}:{}: {} is missing ({}; {})", state.name, line,
+                                   qualified(section.name, field.name), field.meaning, field.range.text()));
+    }
+  }
+}
+
+}  // namespace
+
+void ConfigFile::fill(const Section& section) {
+  State& state = *state_;
+  state.known_tables.insert(section.name);
+  const auto refuse = [&state](const toml::node& node, const std::string& what, const std::string& why) {
+    state.refuse(node, what, why);
+  };
+  static const toml::table nothing;
+  const toml::table* table = &state.root;
+  int line = 1;
+  if (!section.name.empty()) {
+    const toml::node* node = state.root.get(section.name);
+    if (node != nullptr && !node->is_table()) state.refuse(*node, section.name, "must be a table [" + section.name + "]");
+    table = node == nullptr ? &nothing : node->as_table();
+    if (node != nullptr) line = static_cast<int>(node->source().begin.line);
+  }
+  fill_table(state, *table, section, line, refuse);
+}
+
+int ConfigFile::count(const std::string& name) const {
+  state_->known_tables.insert(name);
+  const toml::node* node = state_->root.get(name);
+  if (node == nullptr) return 0;
+  if (!node->is_array_of_tables()) state_->refuse(*node, name, "must be a list of tables [[" + name + "]]");
+  return static_cast<int>(node->as_array()->size());
+}
+
+void ConfigFile::fill_entry(const Section& section, int index) {
+  State& state = *state_;
+  const toml::table& table = *state.root.get(section.name)->as_array()->get(static_cast<std::size_t>(index))->as_table();
+  fill_table(state, table, section, static_cast<int>(table.source().begin.line),
+             [&](const toml::node& node, const std::string& what, const std::string& why) {
+               state.refuse(node, what, fmt::format("{}; entry {} of [[{}]]", why, index + 1, section.name));
+             });
+}
+
+void ConfigFile::refuse_unknown() const {
+  const State& state = *state_;
+  const auto suggest = [](const std::string& name, const std::vector<std::string>& candidates) {
+    const std::string nearest = nearest_name(name, candidates);
+    return nearest.empty() ? std::string("no such key; see docs/formats.md")
+                           : "no such key; did you mean " + nearest + "?";
+  };
+  const auto check_keys = [&](const std::string& section, const toml::table& table) {
+    std::vector<std::string> candidates;
+    for (const std::string& known : state.known_keys) {
+      const std::string prefix = section.empty() ? "" : section + ".";
+      if (known.compare(0, prefix.size(), prefix) == 0) candidates.push_back(known.substr(prefix.size()));
+    }
+    for (const auto& [key, node] : table) {
+      const std::string text(key.str());
+      const bool subtable = section.empty() && (node.is_table() || node.is_array_of_tables());
+      if (subtable) continue;
+      if (!state.known_keys.contains(qualified(section, text))) {
+        state.refuse(node, qualified(section, text) + " is unknown", suggest(text, candidates));
+      }
+    }
+  };
+  check_keys("", state.root);
+  for (const auto& [key, node] : state.root) {
+    const std::string name(key.str());
+    if (!node.is_table() && !node.is_array_of_tables()) continue;
+    if (!state.known_tables.contains(name)) {
+      state.refuse(node, "table [" + name + "] is unknown",
+                   suggest(name, {state.known_tables.begin(), state.known_tables.end()}));
+    }
+    if (const toml::table* table = node.as_table()) check_keys(name, *table);
+    if (node.is_array_of_tables()) {
+      for (const toml::node& entry : *node.as_array()) check_keys(name, *entry.as_table());
+    }
+  }
+}
+
+void ConfigFile::refuse(const std::string& section, const std::string& key, const std::string& why) const {
+  const toml::node_view<const toml::node> table =
+      section.empty() ? toml::node_view<const toml::node>(state_->root)
+                      : toml::node_view<const toml::node>(state_->root.get(section));
+  const toml::node* node = table ? table[key].node() : nullptr;
+  if (node != nullptr) state_->refuse(*node, qualified(section, key) + " = " + source_text(*node), why);
+  throw InputError(fmt::format("{}: {} ({})", state_->name, qualified(section, key), why));
+}
+
+std::filesystem::path ConfigFile::resolve(const std::string& path) const {
+  const std::filesystem::path written(path);
+  return (written.is_absolute() ? written : state_->folder / written).lexically_normal();
+}
+
+const std::string& ConfigFile::name() const { return state_->name; }
+
+std::string to_toml(const std::vector<Section>& sections) {
+  std::string text;
+  for (const Section& section : sections) {
+    if (!section.name.empty()) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", section.name);
+    for (const Field& field : section.fields) text += fmt::format("{} = {}\n", field.name, value_text(field));
+  }
+  return text;
+}
+
+}  // namespace base

@@ -1,0 +1,83 @@
+#pragma once
+/// Input tables. A reader describes each table once, as a list of fields: name (with its unit), where the value goes,
+/// the factor to SI, what is allowed, what it means. That one list drives the reading, the checking (unknown, missing
+/// and out-of-range keys, each reported with file and line), the resolved copy kept beside the results, and the docs.
+/// Files carry the units of the field (`depth_of_cut_mm`); everything behind this door is SI.
+
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace base {
+
+/// Allowed values, in the unit of the file.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false;   ///< true: `low` itself is not allowed
+  bool high_open = false;  ///< true: `high` itself is not allowed
+
+  bool contains(double value) const;  ///< false for NaN and infinities
+  std::string text() const;           ///< "> 0", "from 0 to 90", ...
+};
+
+inline Range any() { return {}; }
+inline Range positive() { return {.low = 0.0, .low_open = true}; }
+inline Range at_least(double low) { return {.low = low}; }
+inline Range between(double low, double high) { return {.low = low, .high = high}; }
+
+using FieldTarget = std::variant<double*, int*, bool*, std::string*, std::vector<double>*, std::vector<int>*>;
+
+struct Field {
+  std::string name;       ///< key, ends in its unit
+  FieldTarget target;     ///< read into, and written out from
+  double si_per_unit;     ///< SI value = file value * si_per_unit; 1 where there is no unit
+  Range range;            ///< of a number, or of each entry of a list
+  std::string meaning;    ///< one line for people
+  bool required = false;  ///< otherwise the value already in the target is the default
+};
+
+struct Section {
+  std::string name;  ///< TOML table; empty for the top level
+  std::vector<Field> fields;
+};
+
+/// A parsed TOML file that remembers its source lines and which of its keys have been read.
+class ConfigFile {
+ public:
+  /// Throws `InputError` with file, line and column when the text is not TOML.
+  static ConfigFile read(const std::filesystem::path& path);
+  static ConfigFile from_text(std::string_view text, const std::string& name);
+  ~ConfigFile();
+  ConfigFile(ConfigFile&&) noexcept;
+
+  /// Fills the fields of one section. A missing section counts as empty.
+  void fill(const Section& section);
+  /// Number of entries of an array of tables `[[name]]` (0 when absent).
+  int count(const std::string& name) const;
+  /// Fills the fields of entry `index` (0-based) of an array of tables.
+  void fill_entry(const Section& section, int index);
+  /// Throws `InputError` for the first key or table that nobody read, naming the nearest known one.
+  void refuse_unknown() const;
+
+  /// "file.toml:12: key = value (allowed: ...)": for checks that concern several keys at once.
+  [[noreturn]] void refuse(const std::string& section, const std::string& key, const std::string& why) const;
+
+  /// A path written in the file, taken relative to the file's own folder.
+  std::filesystem::path resolve(const std::string& path) const;
+  const std::string& name() const;
+
+ private:
+  struct State;
+  explicit ConfigFile(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The sections as TOML text with every value in file units: the resolved input kept beside results.
+std::string to_toml(const std::vector<Section>& sections);
+
+}  // namespace base

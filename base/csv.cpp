@@ -1,0 +1,112 @@
+#include "base/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
+
+namespace base {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '"')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r' || text.back() == '"')) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (;;) {
+    const std::size_t comma = line.find(',');
+    cells.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+double parse_number(std::string_view text, const std::string& where, bool allow_not_finite) {
+  const std::string_view digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size()) {
+    throw InputError(fmt::format("{}: '{}' is not a number", where, text));
+  }
+  if (!allow_not_finite && !std::isfinite(value)) {
+    throw InputError(fmt::format("{}: {} (only finite numbers are allowed)", where, text));
+  }
+  return value;
+}
+
+}  // namespace
+
+bool CsvTable::has(const std::string& name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
+
+const std::vector<double>& CsvTable::column(const std::string& name) const {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    const std::string nearest = nearest_name(name, names);
+    throw InputError(fmt::format("{}: column {} is missing ({})", source, name,
+                                 nearest.empty() ? fmt::format("the file has: {}", fmt::join(names, ", "))
+                                                 : "the nearest one there is " + nearest));
+  }
+  return columns[static_cast<std::size_t>(found - names.begin())];
+}
+
+CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite) {
+  const std::string content = read_whole(path);
+  CsvTable table;
+  table.source = path.string();
+  std::string_view rest = content;
+  for (int line_number = 1; !rest.empty(); ++line_number) {
+    const std::size_t newline = rest.find('\n');
+    const std::string_view line = trimmed(rest.substr(0, newline));
+    rest.remove_prefix(newline == std::string_view::npos ? rest.size() : newline + 1);
+    if (line.empty() || line.front() == '#') continue;
+    const std::vector<std::string_view> cells = split(line);
+    if (table.names.empty()) {
+      table.names.assign(cells.begin(), cells.end());
+      for (std::string& name : table.names) {
+        if (std::count(table.names.begin(), table.names.end(), name) > 1) {
+          throw InputError(fmt::format("{}:{}: column '{}' appears twice", table.source, line_number, name));
+        }
+      }
+      table.columns.resize(cells.size());
+      continue;
+    }
+    if (cells.size() != table.names.size()) {
+      throw InputError(fmt::format("{}:{}: {} values (the header has {} columns)", table.source, line_number,
+                                   cells.size(), table.names.size()));
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string where = fmt::format("{}:{}: column {}", table.source, line_number, table.names[i]);
+      table.columns[i].push_back(parse_number(cells[i], where, allow_not_finite));
+    }
+    table.lines.push_back(line_number);
+  }
+  if (table.names.empty()) throw InputError(fmt::format("{}: empty (a header line and rows are needed)", table.source));
+  if (table.lines.empty()) throw InputError(fmt::format("{}: only a header (at least one row is needed)", table.source));
+  return table;
+}
+
+std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& columns) {
+  std::string text = fmt::format("{}\n", fmt::join(names, ","));
+  const std::size_t rows = columns.empty() ? 0 : columns.front().size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      text += fmt::format("{}{}", i == 0 ? "" : ",", columns[i][row]);  // fmt: shortest text that reads back exactly
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace base

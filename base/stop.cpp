@@ -1,0 +1,16 @@
+#include "base/stop.hpp"
+
+#include "base/errors.hpp"
+
+namespace base {
+
+std::atomic<bool>& stop_requested() {
+  static std::atomic<bool> flag{false};
+  return flag;
+}
+
+void throw_if_stopped() {
+  if (stop_requested().load(std::memory_order_relaxed)) throw Interrupted("stopped by the user");
+}
+
+}  // namespace base

@@ -1,0 +1,22 @@
+# One module of the house: target bitrock_<name>, alias bitrock::<name>, the warnings and floating-point rules of all.
+#
+#   bitrock_module(peaks SOURCES a.cpp b.cpp LINKS bitrock::base)
+#
+# -ffp-contract=off: a fused multiply-add rounds once instead of twice, so whether the compiler chose one would change
+# the last bit of a result between machines. Off everywhere: same input and seed, same bits.
+function(bitrock_target_rules target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+                         $<$<BOOL:${BITROCK_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+function(bitrock_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINKS;PRIVATE_LINKS")
+  add_library(bitrock_${name} STATIC ${arg_SOURCES})
+  add_library(bitrock::${name} ALIAS bitrock_${name})
+  set_target_properties(bitrock_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(bitrock_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                             $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}> $<INSTALL_INTERFACE:include/bitrock>)
+  target_link_libraries(bitrock_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
+  bitrock_target_rules(bitrock_${name})
+  set_property(GLOBAL APPEND PROPERTY bitrock_modules bitrock_${name})
+endfunction()

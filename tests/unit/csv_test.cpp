@@ -1,0 +1,58 @@
+// What a table of numbers may hold, and each message for what it may not.
+#include "base/csv.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+
+namespace {
+
+std::filesystem::path write(const std::string& text) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "table.csv";
+  base::write_whole(path, text);
+  return path;
+}
+
+std::string message(const std::string& text) {
+  try {
+    base::read_csv(write(text));
+  } catch (const base::InputError& error) {
+    const std::string what = error.what();
+    return what.substr(what.find("table.csv"));
+  }
+  return "accepted";
+}
+
+TEST(Csv, ReadsBackWhatItWrote) {
+  const std::vector<std::vector<double>> columns{{1.0, 0.1, 1e-300}, {-2.0, 1.0 / 3.0, 12345678.9}};
+  const base::CsvTable table = base::read_csv(write(base::csv_text({"a", "b"}, columns)));
+  EXPECT_EQ(table.columns, columns);
+  EXPECT_EQ(table.column("b"), columns[1]);
+}
+
+TEST(Csv, ToleratesCommentsBlanksQuotesAndWindowsLineEnds) {
+  const base::CsvTable table = base::read_csv(write("# made elsewhere\r\n\"a\" , b\r\n\r\n 1 , +2\r\n"));
+  EXPECT_EQ(table.names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(table.columns[1][0], 2.0);
+}
+
+TEST(Csv, RefusesWithPlace) {
+  EXPECT_EQ(message(""), "table.csv: empty (a header line and rows are needed)");
+  EXPECT_EQ(message("a,b\n"), "table.csv: only a header (at least one row is needed)");
+  EXPECT_EQ(message("a,b\n1,x\n"), "table.csv:2: column b: 'x' is not a number");
+  EXPECT_EQ(message("a,b\n1,nan\n"), "table.csv:2: column b: nan (only finite numbers are allowed)");
+  EXPECT_EQ(message("a,b\n1\n"), "table.csv:2: 1 values (the header has 2 columns)");
+  EXPECT_EQ(message("a,a\n1,2\n"), "table.csv:1: column 'a' appears twice");
+  EXPECT_TRUE(std::isnan(base::read_csv(write("a\nnan\n"), true).columns[0][0]));
+}
+
+TEST(Csv, MissingColumnNamesTheNearest) {
+  const base::CsvTable table = base::read_csv(write("depth_mm\n1\n"));
+  EXPECT_THROW(table.column("dept_mm"), base::InputError);
+}
+
+}  // namespace

@@ -1,0 +1,29 @@
+// A file with its final name is whole; failures say why and leave nothing behind.
+#include "base/files.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/errors.hpp"
+
+namespace {
+
+TEST(Files, WriteThenReadGivesTheSameBytes) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "whole.bin";
+  const std::string bytes("a\0b\n", 4);
+  base::write_whole(path, bytes);
+  EXPECT_EQ(base::read_whole(path), bytes);
+}
+
+TEST(Files, AFullDiskIsACleanFailure) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  EXPECT_THROW(base::write_whole("/dev/full", "x"), base::SimulationError);
+}
+
+TEST(Files, MissingFolderAndMissingFile) {
+  EXPECT_THROW(base::read_whole("/nonexistent/file"), base::InputError);
+  EXPECT_THROW(base::read_whole(testing::TempDir()), base::InputError);
+  EXPECT_THROW(base::require_writable("/proc/no/file"), base::InputError);
+  EXPECT_THROW(base::write_whole("/nonexistent/file", "x"), base::SimulationError);
+}
+
+}  // namespace
