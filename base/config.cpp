@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <toml++/toml.h>
 #include <cmath>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -86,7 +86,8 @@ void assign(const toml::node& node, const Field& field, const Refuse& refuse) {
     if (!node.is_string()) refuse(node, "must be a text in quotes");
     **text = *node.value<std::string>();
   } else if (auto* reals = std::get_if<std::vector<double>*>(&field.target)) {
-    list(*reals, [&](const toml::node& entry) { return number(entry) * field.si_per_unit; }, "numbers");
+    list(
+        *reals, [&](const toml::node& entry) { return number(entry) * field.si_per_unit; }, "numbers");
   } else {
     list(std::get<std::vector<int>*>(field.target), integer, "whole numbers");
   }
@@ -123,8 +124,8 @@ ConfigFile ConfigFile::from_text(std::string_view text, const std::string& name)
   try {
     state->root = toml::parse(text, std::string_view(name));
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}:{}: {}", name, error.source().begin.line, error.source().begin.column,
-                                 error.description()));
+    throw InputError(
+        fmt::format("{}:{}:{}: {}", name, error.source().begin.line, error.source().begin.column, error.description()));
   }
   return ConfigFile(std::move(state));
 }
@@ -166,7 +167,8 @@ void ConfigFile::fill(const Section& section) {
   int line = 1;
   if (!section.name.empty()) {
     const toml::node* node = state.root.get(section.name);
-    if (node != nullptr && !node->is_table()) state.refuse(*node, section.name, "must be a table [" + section.name + "]");
+    if (node != nullptr && !node->is_table())
+      state.refuse(*node, section.name, "must be a table [" + section.name + "]");
     table = node == nullptr ? &nothing : node->as_table();
     if (node != nullptr) line = static_cast<int>(node->source().begin.line);
   }
@@ -183,7 +185,8 @@ int ConfigFile::count(const std::string& name) const {
 
 void ConfigFile::fill_entry(const Section& section, int index) {
   State& state = *state_;
-  const toml::table& table = *state.root.get(section.name)->as_array()->get(static_cast<std::size_t>(index))->as_table();
+  const toml::table& table =
+      *state.root.get(section.name)->as_array()->get(static_cast<std::size_t>(index))->as_table();
   fill_table(state, table, section, static_cast<int>(table.source().begin.line),
              [&](const toml::node& node, const std::string& what, const std::string& why) {
                state.refuse(node, what, fmt::format("{}; entry {} of [[{}]]", why, index + 1, section.name));
@@ -228,9 +231,9 @@ void ConfigFile::refuse_unknown() const {
 }
 
 void ConfigFile::refuse(const std::string& section, const std::string& key, const std::string& why) const {
-  const toml::node_view<const toml::node> table =
-      section.empty() ? toml::node_view<const toml::node>(state_->root)
-                      : toml::node_view<const toml::node>(state_->root.get(section));
+  const toml::node_view<const toml::node> table = section.empty()
+                                                      ? toml::node_view<const toml::node>(state_->root)
+                                                      : toml::node_view<const toml::node>(state_->root.get(section));
   const toml::node* node = table ? table[key].node() : nullptr;
   if (node != nullptr) state_->refuse(*node, qualified(section, key) + " = " + source_text(*node), why);
   throw InputError(fmt::format("{}: {} ({})", state_->name, qualified(section, key), why));
@@ -241,7 +244,9 @@ std::filesystem::path ConfigFile::resolve(const std::string& path) const {
   return (written.is_absolute() ? written : state_->folder / written).lexically_normal();
 }
 
-const std::string& ConfigFile::name() const { return state_->name; }
+const std::string& ConfigFile::name() const {
+  return state_->name;
+}
 
 std::string to_toml(const std::vector<Section>& sections) {
   std::string text;

@@ -25,10 +25,18 @@ struct Range {
   std::string text() const;           ///< "> 0", "from 0 to 90", ...
 };
 
-inline Range any() { return {}; }
-inline Range positive() { return {.low = 0.0, .low_open = true}; }
-inline Range at_least(double low) { return {.low = low}; }
-inline Range between(double low, double high) { return {.low = low, .high = high}; }
+inline Range any() {
+  return {};
+}
+inline Range positive() {
+  return {.low = 0.0, .low_open = true};
+}
+inline Range at_least(double low) {
+  return {.low = low};
+}
+inline Range between(double low, double high) {
+  return {.low = low, .high = high};
+}
 
 using FieldTarget = std::variant<double*, int*, bool*, std::string*, std::vector<double>*, std::vector<int>*>;
 

@@ -48,7 +48,9 @@ double parse_number(std::string_view text, const std::string& where, bool allow_
 
 }  // namespace
 
-bool CsvTable::has(const std::string& name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool CsvTable::has(const std::string& name) const {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 const std::vector<double>& CsvTable::column(const std::string& name) const {
   const auto found = std::find(names.begin(), names.end(), name);
@@ -93,7 +95,8 @@ CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite) {
     table.lines.push_back(line_number);
   }
   if (table.names.empty()) throw InputError(fmt::format("{}: empty (a header line and rows are needed)", table.source));
-  if (table.lines.empty()) throw InputError(fmt::format("{}: only a header (at least one row is needed)", table.source));
+  if (table.lines.empty())
+    throw InputError(fmt::format("{}: only a header (at least one row is needed)", table.source));
   return table;
 }
 

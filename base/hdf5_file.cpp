@@ -111,10 +111,10 @@ void Hdf5Writer::write_array(const std::string& path, const void* values, std::s
     require_ok(H5Pset_deflate(list.id(), 4), "set compression");  // 4 of 9: most of the gain at little cost
     require_ok(H5Pset_fletcher32(list.id()), "set the checksum");
   }
-  const Hdf5Handle dataset(require(H5Dcreate2(file_.id(), path.c_str(), memory_type, space.id(), H5P_DEFAULT, list.id(),
-                                              H5P_DEFAULT),
-                                   "make an array"),
-                           H5Dclose);
+  const Hdf5Handle dataset(
+      require(H5Dcreate2(file_.id(), path.c_str(), memory_type, space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
+              "make an array"),
+      H5Dclose);
   if (count > 0) {
     require_ok(H5Dwrite(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write an array");
   }
@@ -167,8 +167,8 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : name_(path.string())
   const std::lock_guard lock(library());
   file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file_.valid()) {
-    throw InputError(fmt::format("{}: {}", name_, head == "\x89HDF\r\n\x1a\n" ? "a damaged or truncated HDF5 file"
-                                                                            : "not an HDF5 file"));
+    throw InputError(fmt::format(
+        "{}: {}", name_, head == "\x89HDF\r\n\x1a\n" ? "a damaged or truncated HDF5 file" : "not an HDF5 file"));
   }
 }
 
@@ -202,7 +202,9 @@ std::vector<double> Hdf5Reader::doubles(const std::string& path) const {
   return read_array<double>(path, H5T_NATIVE_DOUBLE);
 }
 
-std::vector<int> Hdf5Reader::ints(const std::string& path) const { return read_array<int>(path, H5T_NATIVE_INT); }
+std::vector<int> Hdf5Reader::ints(const std::string& path) const {
+  return read_array<int>(path, H5T_NATIVE_INT);
+}
 
 bool Hdf5Reader::has_attribute(const std::string& name) const {
   const std::lock_guard lock(library());

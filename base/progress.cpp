@@ -30,7 +30,9 @@ ProgressLine::ProgressLine(std::string label, std::string unit, bool enabled)
       start_(std::chrono::steady_clock::now()),
       last_(start_) {}
 
-ProgressLine::~ProgressLine() { clear(); }
+ProgressLine::~ProgressLine() {
+  clear();
+}
 
 void ProgressLine::show(double done, double total) {
   if (!enabled_) return;
@@ -41,8 +43,8 @@ void ProgressLine::show(double done, double total) {
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double rate = done / elapsed;
   const std::string left = rate > 0.0 ? readable_duration((total - done) / rate) : "unknown";
-  const std::string line = fmt::format("{}: {:.4g} of {:.4g} {} ({:.0f} %), {:.3g} {}/s, {} left", label_, done,
-                                       total, unit_, 100.0 * done / total, rate, unit_, left);
+  const std::string line = fmt::format("{}: {:.4g} of {:.4g} {} ({:.0f} %), {:.3g} {}/s, {} left", label_, done, total,
+                                       unit_, 100.0 * done / total, rate, unit_, left);
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
   std::fflush(stderr);
   drawn_ = terminal_;

@@ -2,8 +2,8 @@
 /// Random numbers that are the same on every machine: a standard engine (its sequence is fixed by the C++ standard)
 /// with our own distributions (the library's differ between vendors).
 
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <span>
 #include <utility>
@@ -13,7 +13,9 @@ namespace base {
 using Random = std::mt19937_64;
 
 /// Uniform in [0, 1) with 53 random bits.
-inline double uniform(Random& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
+inline double uniform(Random& random) {
+  return static_cast<double>(random() >> 11) * 0x1.0p-53;
+}
 
 /// Uniform in [low, high).
 inline double uniform(Random& random, double low, double high) {

@@ -47,6 +47,8 @@ std::uint64_t fingerprint(std::string_view bytes) {
   return hash;
 }
 
-std::string fingerprint_text(std::string_view bytes) { return fmt::format("{:016x}", fingerprint(bytes)); }
+std::string fingerprint_text(std::string_view bytes) {
+  return fmt::format("{:016x}", fingerprint(bytes));
+}
 
 }  // namespace base

@@ -5,7 +5,9 @@
 # -ffp-contract=off: a fused multiply-add rounds once instead of twice, so whether the compiler chose one would change
 # the last bit of a result between machines. Off everywhere: same input and seed, same bits.
 function(bitrock_target_rules target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -ffp-contract=off
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow
+                         -Wno-missing-field-initializers  # designated initialisers leave the rest at its default on purpose
+                         -ffp-contract=off
                          $<$<BOOL:${BITROCK_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 

@@ -49,7 +49,8 @@ TEST(Hdf5, AFlippedByteInAnArrayIsNoticed) {
   const auto path = std::filesystem::path(testing::TempDir()) / "flip.h5";
   std::vector<double> values(20000);
   std::uint64_t state = 1;
-  for (double& value : values) value = static_cast<double>(state = state * 6364136223846793005ULL + 1442695040888963407ULL);
+  for (double& value : values)
+    value = static_cast<double>(state = state * 6364136223846793005ULL + 1442695040888963407ULL);
   base::Hdf5Writer writer;
   writer.array("/values", values, "1", "noise, so that the array is most of the file");
   writer.save(path);

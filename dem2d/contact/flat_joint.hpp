@@ -1,0 +1,146 @@
+#pragma once
+/// The flat-joint contact law in two dimensions: what two discs do to each other through one straight, partly cracked
+/// interface. This file holds the law alone: it sees the motion of one interface and its own history, nothing else.
+/// `step/forces.cpp` loops it over all joints.
+///
+/// **Equation.** Two faces of length 2R, one fixed to each disc, are apart by the linear profile
+///
+///     g(r) = gap - rotation * r,   r in [-R, R] along the tangent t
+///
+/// and are joined by N_r elements of length L = 2R / N_r. The normal stress is kn g in a bonded element and
+/// kn min(g, 0) in an unbonded one (tension positive). Its resultant N and its moment m about the element's middle,
+/// with g_a and g_b the gaps at the two ends:
+///
+///     bonded, or closed (g_a <= 0, g_b <= 0)   N = kn L (g_a + g_b) / 2     m = kn L^2 (g_b - g_a) / 12
+///     unbonded, open (g_a >= 0, g_b >= 0)      N = 0                        m = 0
+///     unbonded, g_a < 0 < g_b                  N = kn g_a l / 2             m = N (l/3 - L/2)   l = L g_a / (g_a -
+///     g_b) unbonded, g_b < 0 < g_a                  N = kn g_b l / 2             m = N (L/2 - l/3)   l = L g_b / (g_b
+///     - g_a)
+///
+/// **Strength** of a bonded element, with sigma = N / L and the trial shear stress tau* = tau + ks ds:
+/// it breaks in tension when sigma >= tensile strength, otherwise in shear when
+/// |tau*| >= max(0, cohesion - sigma tan(friction angle)). A broken element carries compression and Coulomb friction:
+/// |tau| <= -mu sigma. It never heals. At a break tau drops to zero (residual cohesion is not modelled).
+///
+/// **Symbols.** kn, ks [Pa/m] stiffness as stress per displacement; R, L, r, l [m]; g [m]; sigma, tau [Pa];
+/// N [N/m] and m [N] are per metre of out-of-plane thickness; ds [m] shear displacement of disc 2 against disc 1 along
+/// t in this step; rotation [rad] of disc 2 against disc 1.
+///
+/// **Source.** [Potyondy2012] for the interface of bonded and unbonded elements and its strength envelope,
+/// [PotyondyCundall2004, sec. 2.2] for strength of a bond as tension cut-off and cohesion. The resultants above are
+/// the integrals of the piecewise linear stress, done by hand (checked by quadrature in
+/// tests/unit/flat_joint_test.cpp).
+///
+/// **Differences and validity.** Small rotation (sin(rotation) = rotation). The stress that breaks or slides an element
+/// is its mean N / L, also when it is partly open.
+
+#include <cmath>
+#include <cstdint>
+
+namespace dem2d {
+
+enum class ElementState : std::uint8_t { broken_in_tension = 1, broken_in_shear = 2, bonded = 3 };
+
+/// Stiffness and strength of one joint.
+struct FlatJointLaw {
+  int elements;               ///< N_r [1]
+  double half_length;         ///< R [m]
+  double normal_stiffness;    ///< kn [Pa/m]
+  double shear_stiffness;     ///< ks [Pa/m]
+  double tensile_strength;    ///< [Pa]
+  double cohesion;            ///< [Pa]
+  double tan_friction_angle;  ///< of the bonded element [1]
+  double friction;            ///< mu of the broken element [1]
+};
+
+/// Motion of the interface at time t, and the shear displacement of the step that led there.
+struct InterfaceMotion {
+  double gap;              ///< at r = 0 [m]
+  double rotation;         ///< of disc 2 against disc 1 [rad]
+  double shear_increment;  ///< ds [m]
+};
+
+/// What the interface does to disc 1, in the frame (n from disc 1 to 2, t = z x n), about the middle of the interface.
+struct InterfaceForce {
+  double normal = 0.0;  ///< tension positive [N/m]
+  double shear = 0.0;   ///< [N/m]
+  double moment = 0.0;  ///< sum of r_c N + m; disc 1 feels minus this, disc 2 plus this [N]
+};
+
+struct NormalResultant {
+  double force;   ///< N, tension positive [N/m]
+  double moment;  ///< m about the middle of the element [N]
+};
+
+inline NormalResultant bonded_resultant(double kn, double length, double gap_a, double gap_b) {
+  return {kn * length * (gap_a + gap_b) / 2.0, kn * length * length * (gap_b - gap_a) / 12.0};
+}
+
+inline NormalResultant unbonded_resultant(double kn, double length, double gap_a, double gap_b) {
+  if (gap_a <= 0.0 && gap_b <= 0.0) return bonded_resultant(kn, length, gap_a, gap_b);
+  if (gap_a >= 0.0 && gap_b >= 0.0) return {0.0, 0.0};
+  if (gap_a < 0.0) {
+    const double closed = length * gap_a / (gap_a - gap_b);
+    const double force = kn * gap_a * closed / 2.0;
+    return {force, force * (closed / 3.0 - length / 2.0)};
+  }
+  const double closed = length * gap_b / (gap_b - gap_a);
+  const double force = kn * gap_b * closed / 2.0;
+  return {force, force * (length / 2.0 - closed / 3.0)};
+}
+
+/// One step of one element: breaks or slides it, updates its state and shear stress, returns its normal resultant.
+inline NormalResultant update_element(const FlatJointLaw& law, double length, double gap_a, double gap_b,
+                                      double shear_increment, ElementState& state, double& shear_stress) {
+  if (state == ElementState::bonded) {
+    const NormalResultant whole = bonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
+    const double stress = whole.force / length;
+    const double trial = shear_stress + law.shear_stiffness * shear_increment;
+    const double shear_strength = std::fmax(0.0, law.cohesion - stress * law.tan_friction_angle);
+    if (stress >= law.tensile_strength) {
+      state = ElementState::broken_in_tension;
+    } else if (std::fabs(trial) >= shear_strength) {
+      state = ElementState::broken_in_shear;
+    } else {
+      shear_stress = trial;
+      return whole;
+    }
+    shear_stress = 0.0;
+    return unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
+  }
+  const NormalResultant pressed = unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
+  if (pressed.force >= 0.0) {
+    shear_stress = 0.0;
+  } else {
+    const double limit = -law.friction * pressed.force / length;
+    const double trial = shear_stress + law.shear_stiffness * shear_increment;
+    shear_stress = std::fmin(std::fmax(trial, -limit), limit);
+  }
+  return pressed;
+}
+
+inline constexpr int max_elements = 64;  ///< of a joint: one bit each in the mask of breaks
+
+/// One step of one joint. `state` and `shear_stress` point at the joint's `elements` entries.
+/// Returns the force; bit e of `broken` is set when element e broke in this step.
+inline InterfaceForce update_flat_joint(const FlatJointLaw& law, const InterfaceMotion& motion, ElementState* state,
+                                        double* shear_stress, std::uint64_t& broken) {
+  InterfaceForce total;
+  broken = 0;
+  const double length = 2.0 * law.half_length / law.elements;
+  for (int e = 0; e < law.elements; ++e) {
+    const double start = -law.half_length + length * e;
+    const double gap_a = motion.gap - motion.rotation * start;
+    const double gap_b = motion.gap - motion.rotation * (start + length);
+    const bool was_bonded = state[e] == ElementState::bonded;
+    const NormalResultant normal =
+        update_element(law, length, gap_a, gap_b, motion.shear_increment, state[e], shear_stress[e]);
+    if (was_bonded && state[e] != ElementState::bonded) broken |= std::uint64_t{1} << e;
+    total.normal += normal.force;
+    total.shear += shear_stress[e] * length;
+    total.moment += (start + length / 2.0) * normal.force + normal.moment;
+  }
+  return total;
+}
+
+}  // namespace dem2d

@@ -1,0 +1,113 @@
+#include "dem2d/cut/cut_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.hpp"
+
+namespace dem2d {
+
+namespace {
+constexpr double mm = 1e-3, um = 1e-6, deg = std::numbers::pi / 180.0;
+
+// The cutter must keep this many depths of rock in front of it at the end, so that the side wall does not confine the
+// last chips; and this many below it, so that the bottom does not.
+constexpr double depths_ahead = 3.0;
+constexpr double depths_below = 2.0;
+}  // namespace
+
+std::vector<base::Section> describe(CutCase& cut) {
+  using base::any, base::between, base::positive;
+  const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
+  return {
+      {"", {{"rock", &cut.rock_file, 1.0, any(), "rock file, relative to this file", true}}},
+      {"cut",
+       {{"cutter_speed_m_per_s",
+         &cut.cutter_speed,
+         1.0,
+         {.low = 0.0, .high = 50.0, .low_open = true},
+         "along the surface",
+         true},
+        {"depth_of_cut_mm", &cut.depth_of_cut, mm, positive(), "surface above the tip", true},
+        {"back_rake_deg", &cut.back_rake, deg, between(0.0, 60.0), "lean of the face out of the vertical", true},
+        {"cut_length_mm", &cut.cut_length, mm, positive(), "travel of the cutter"}}},
+      {"cutter",
+       {{"diameter_mm", &cut.cutter_diameter, mm, positive(), "length of the face"},
+        {"thickness_mm", &cut.cutter_thickness, mm, positive(), "behind the face"},
+        {"friction_coefficient", &cut.cutter_friction, 1.0, between(0.0, 10.0), "between cutter and rock"}}},
+      {"bed",
+       {{"length_mm", &cut.bed_length, mm, positive(), "of the rock, along the cut"},
+        {"height_mm", &cut.bed_height, mm, positive(), "of the rock, from bottom to surface"}}},
+      {"run",
+       {{"local_damping", &cut.local_damping, 1.0, damping, "share of the unbalanced force"},
+        {"sampling_distance_um", &cut.sampling_distance, um, positive(), "travel between two force samples"},
+        {"domain_margin_mm", &cut.domain_margin, mm, positive(), "discs farther from the bed are removed"}}},
+  };
+}
+
+void check_cut_case(const CutCase& cut, const std::string& source) {
+  const auto refuse = [&source](const std::string& what) { throw base::InputError(source + ": " + what); };
+  if (cut.depth_of_cut * (1.0 + depths_below) > cut.bed_height) {
+    refuse(fmt::format(
+        "cut.depth_of_cut_mm = {:.4g} (at most a third of bed.height_mm = {:.4g}: the bottom must not carry the chip)",
+        cut.depth_of_cut / mm, cut.bed_height / mm));
+  }
+  if (cut.cut_length + depths_ahead * cut.depth_of_cut > cut.bed_length) {
+    refuse(fmt::format(
+        "cut.cut_length_mm = {:.4g} (with {:.4g} mm of depth at most {:.4g}: bed.length_mm = {:.4g} less three depths)",
+        cut.cut_length / mm, cut.depth_of_cut / mm, (cut.bed_length - depths_ahead * cut.depth_of_cut) / mm,
+        cut.bed_length / mm));
+  }
+  if (cut.depth_of_cut > cut.cutter_diameter * std::cos(cut.back_rake)) {
+    refuse(fmt::format("cut.depth_of_cut_mm = {:.4g} (at most {:.4g}, the height of the cutter's face)",
+                       cut.depth_of_cut / mm, cut.cutter_diameter * std::cos(cut.back_rake) / mm));
+  }
+  if (cut.sampling_distance * 3.0 > cut.cut_length) {
+    refuse(fmt::format("run.sampling_distance_um = {:.4g} (at most a third of the cut: {:.4g})",
+                       cut.sampling_distance / um, cut.cut_length / 3.0 / um));
+  }
+  if (cut.bed_length * cut.bed_height / (cut.rock.radius_min * cut.rock.radius_min) > 3e7) {
+    refuse("the bed would hold more than ten million discs (make it smaller or the discs larger)");
+  }
+}
+
+CutCase read_cut_case(const std::filesystem::path& path) {
+  CutCase cut;
+  base::ConfigFile file = base::ConfigFile::read(path);
+  for (const base::Section& section : describe(cut)) file.fill(section);
+  file.refuse_unknown();
+  cut.rock = read_rock(file.resolve(cut.rock_file));
+  check_cut_case(cut, path.string());
+  return cut;
+}
+
+namespace {
+
+std::vector<base::Section> case_and_rock(CutCase& cut) {
+  std::vector<base::Section> sections = describe(cut);
+  sections.erase(sections.begin());  // the rock's content says it better than its file name
+  for (base::Section& section : describe(cut.rock)) {
+    if (section.name != "specimen") sections.push_back(section);  // a cut brings its own bed
+  }
+  return sections;
+}
+
+}  // namespace
+
+std::string resolved_toml(const CutCase& cut) {
+  CutCase copy = cut;
+  return base::to_toml(case_and_rock(copy));
+}
+
+CutCase parse_resolved(const std::string& text, const std::string& name) {
+  CutCase cut;
+  base::ConfigFile file = base::ConfigFile::from_text(text, name);
+  for (const base::Section& section : case_and_rock(cut)) file.fill(section);
+  file.refuse_unknown();
+  check_cut_case(cut, name);
+  return cut;
+}
+
+}  // namespace dem2d

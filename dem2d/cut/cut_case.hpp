@@ -1,0 +1,50 @@
+#pragma once
+/// What a `cut.toml` says: one straight cut of one cutter through a bed of rock. Plain data, SI inside.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/config.hpp"
+#include "dem2d/specimen/rock.hpp"
+
+namespace dem2d {
+
+struct CutCase {
+  std::string rock_file;  ///< as written, relative to the case file; `rock` holds its content
+  Rock rock;
+
+  double cutter_speed = 0.0;  ///< [m/s]
+  double depth_of_cut = 0.0;  ///< [m]
+  double back_rake = 0.0;     ///< [rad]
+  double cut_length = 30e-3;  ///< travel of the cutter, from just before the rock [m]
+
+  double cutter_diameter = 13e-3;  ///< length of the face [m]
+  double cutter_thickness = 8e-3;  ///< [m]
+  double cutter_friction = 0.3;    ///< between cutter and rock [1]
+
+  double bed_length = 60e-3;  ///< [m]
+  double bed_height = 20e-3;  ///< [m]
+
+  double local_damping = 0.1;        ///< alpha while cutting [1]
+  double sampling_distance = 20e-6;  ///< travel between two samples of the force history [m]
+  double domain_margin = 20e-3;      ///< discs farther than this from the bed are removed [m]
+};
+
+/// The sections of the file without the rock, bound to `cut`.
+std::vector<base::Section> describe(CutCase& cut);
+
+/// Reads the case and the rock it names, checked together. Throws `base::InputError`.
+CutCase read_cut_case(const std::filesystem::path& path);
+
+/// Checks that concern several values at once (depth against bed, length against bed ...); throws `base::InputError`
+/// whose message starts with `source`.
+void check_cut_case(const CutCase& cut, const std::string& source);
+
+/// Case and rock as one TOML text: everything the result depends on but the seed.
+std::string resolved_toml(const CutCase& cut);
+
+/// Reads such a text back.
+CutCase parse_resolved(const std::string& text, const std::string& name);
+
+}  // namespace dem2d

@@ -1,0 +1,143 @@
+#include "dem2d/cut/run_cut.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/stop.hpp"
+#include "dem2d/cut/fragments.hpp"
+#include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/step.hpp"
+#include "dem2d/tool/cutter.hpp"
+
+namespace dem2d {
+
+namespace {
+
+// The cutter starts this far from the edge of the rock, so that nothing touches at the first step [m].
+constexpr double start_gap = 1e-6;
+
+/// Where the tip must be so that the leaned face just misses the rock's left edge, at the height of the surface.
+double start_x(const CutCase& cut) {
+  return -cut.depth_of_cut * std::tan(cut.back_rake) - start_gap;
+}
+
+Boundary wall(const CutCase& cut, const ConvexPolygon& shape) {
+  return {.shape = shape,
+          .modulus = cut.rock.contact_modulus,
+          .stiffness_ratio = cut.rock.contact_stiffness_ratio,
+          .friction = cut.rock.contact_friction,
+          .damping_ratio = cut.rock.contact_damping_ratio};
+}
+
+void forgive_initial_overlaps(World& world) {
+  const Discs& discs = world.discs;
+  for (Boundary& boundary : world.boundaries) {
+    boundary.reference_overlap.assign(discs.x.size(), 0.0);
+    for (std::size_t i = 0; i < discs.x.size(); ++i) {
+      const NearestPoint point = nearest_point(boundary.shape, discs.x[i], discs.y[i]);
+      boundary.reference_overlap[i] = std::max(0.0, discs.radius[i] - point.distance);
+    }
+  }
+}
+
+Frame take_frame(const World& world, double tip_x) {
+  return {.time = world.time,
+          .tip_x = tip_x,
+          .x = world.discs.x,
+          .y = world.discs.y,
+          .radius = world.discs.radius,
+          .id = world.discs.id,
+          .fragment = label_fragments(world)};
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+World make_cut_world(const CutCase& cut, const Specimen& bed, int threads) {
+  World world = bonded_world(bed, threads);
+  world.local_damping = cut.local_damping;
+  const double margin = cut.domain_margin;
+  world.domain = {-margin, -margin, bed.width + margin, bed.height + margin};
+
+  const double tip_y = bed.height - cut.depth_of_cut;
+  Boundary cutter =
+      wall(cut, cutter_outline({cut.cutter_diameter, cut.cutter_thickness, cut.back_rake}, start_x(cut), tip_y));
+  cutter.friction = cut.cutter_friction;
+  cutter.velocity_x = cut.cutter_speed;
+  const double thick = bed.height;  // of the walls: more than a disc could ever sink in
+  world.boundaries = {cutter, wall(cut, rectangle(-thick, -thick, bed.width + thick, 0.0)),
+                      wall(cut, rectangle(-thick, -thick, 0.0, tip_y)),
+                      wall(cut, rectangle(bed.width, -thick, bed.width + thick, bed.height))};
+  forgive_initial_overlaps(world);
+  prepare(world);
+  world.step = critical_step(world);
+  return world;
+}
+
+CutSchedule plan_steps(const CutCase& cut, double critical_step) {
+  const double sample_time = cut.sampling_distance / cut.cutter_speed;
+  const int steps_per_sample = std::max(1, static_cast<int>(std::ceil(sample_time / critical_step)));
+  return {.step = sample_time / steps_per_sample,
+          .steps_per_sample = steps_per_sample,
+          .samples = std::llround(cut.cut_length / cut.sampling_distance)};
+}
+
+CutRun run_cut(const CutCase& cut, const Specimen& bed, int threads, int frames,
+               const base::ProgressCallback& progress) {
+  const auto started = std::chrono::steady_clock::now();
+  World world = make_cut_world(cut, bed, threads);
+  const CutSchedule schedule = plan_steps(cut, world.step);
+  world.step = schedule.step;
+  const double interval = schedule.step * schedule.steps_per_sample;
+  CutRun run;
+  run.discs = world.discs.count();
+  run.joints = world.joints.count();
+  run.step = schedule.step;
+
+  double work = 0.0, disc_steps = 0.0;
+  for (long long sample = 1; sample <= schedule.samples; ++sample) {
+    double impulse_x = 0.0, impulse_y = 0.0;  // in steps times force
+    for (int step = 0; step < schedule.steps_per_sample; ++step) {
+      advance(world);
+      impulse_x -= world.boundaries[0].force_x;
+      impulse_y += world.boundaries[0].force_y;
+    }
+    base::throw_if_stopped();
+    require_finite(world);
+    disc_steps += static_cast<double>(world.discs.count()) * schedule.steps_per_sample;
+    run.time.push_back(static_cast<double>(sample) * interval);
+    run.force_x.push_back(impulse_x / schedule.steps_per_sample);
+    run.force_y.push_back(impulse_y / schedule.steps_per_sample);
+    work += run.force_x.back() * cut.sampling_distance;
+    run.cutter_work.push_back(work);
+    run.kinetic_energy.push_back(kinetic_energy(world));
+    const double tip_x = start_x(cut) + cut.sampling_distance * static_cast<double>(sample);
+    const bool frame_due = frames > 0 && sample * frames / schedule.samples != (sample - 1) * frames / schedule.samples;
+    if (frame_due || sample == schedule.samples) run.frames.push_back(take_frame(world, tip_x));
+    if (progress) progress(static_cast<double>(sample) * interval, static_cast<double>(schedule.samples) * interval);
+  }
+
+  run.steps = schedule.samples * schedule.steps_per_sample;
+  run.cut_length = cut.sampling_distance * static_cast<double>(schedule.samples);
+  run.duration = interval * static_cast<double>(schedule.samples);
+  run.mean_force_x = mean(run.force_x);
+  run.mean_force_y = mean(run.force_y);
+  run.specific_energy = run.mean_force_x / cut.depth_of_cut;
+  run.cracks = std::move(world.cracks);
+  run.cracks_tensile =
+      static_cast<int>(std::count_if(run.cracks.begin(), run.cracks.end(), [](const Crack& c) { return c.mode == 1; }));
+  run.cracks_shear = static_cast<int>(run.cracks.size()) - run.cracks_tensile;
+  run.removed_discs = world.removed_discs;
+  run.injected_energy = world.injected_energy;
+  run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  run.nanoseconds_per_disc_step = run.wall_time * 1e9 / disc_steps;
+  return run;
+}
+
+}  // namespace dem2d

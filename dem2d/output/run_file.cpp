@@ -1,0 +1,171 @@
+#include "dem2d/output/run_file.hpp"
+
+#include <fmt/format.h>
+
+#include "base/errors.hpp"
+#include "base/hdf5_file.hpp"
+#include "base/text.hpp"
+#include "base/version.hpp"
+
+namespace dem2d {
+
+namespace {
+
+constexpr const char* format_name = "bitrock-run";
+constexpr long long format_version = 1;
+
+// Raised by hand whenever a change of the engine changes forces: old runs then no longer count as done.
+constexpr int physics_version = 1;
+
+template <class Value, class Get>
+std::vector<Value> collect(const std::vector<Crack>& cracks, const Get& get) {
+  std::vector<Value> values;
+  for (const Crack& crack : cracks) values.push_back(get(crack));
+  return values;
+}
+
+void write_cracks(base::Hdf5Writer& file, const std::vector<Crack>& cracks) {
+  const auto real = [&](const char* path, double Crack::*member, const char* units, const char* meaning) {
+    file.array(path, collect<double>(cracks, [member](const Crack& crack) { return crack.*member; }), units, meaning);
+  };
+  const auto whole = [&](const char* path, int Crack::*member, const char* meaning) {
+    file.array(path, collect<int>(cracks, [member](const Crack& crack) { return crack.*member; }), "1", meaning);
+  };
+  real("/cracks/time_s", &Crack::time, "s", "when the element broke");
+  real("/cracks/x_m", &Crack::x, "m", "middle of the interface when it broke");
+  real("/cracks/y_m", &Crack::y, "m", "middle of the interface when it broke");
+  real("/cracks/normal_angle_rad", &Crack::normal_angle, "rad", "of the interface normal, from x");
+  real("/cracks/length_m", &Crack::length, "m", "of the element");
+  whole("/cracks/mode", &Crack::mode, "1 tension, 2 shear");
+  whole("/cracks/disc_1", &Crack::disc1, "id of the first disc");
+  whole("/cracks/disc_2", &Crack::disc2, "id of the second disc");
+}
+
+void write_frame(base::Hdf5Writer& file, const std::string& group, const Frame& frame) {
+  file.array(group + "/time_s", std::vector<double>{frame.time}, "s", "instant of the frame");
+  file.array(group + "/tip_x_m", std::vector<double>{frame.tip_x}, "m", "cutter tip along the surface");
+  file.array(group + "/x_m", frame.x, "m", "disc centre");
+  file.array(group + "/y_m", frame.y, "m", "disc centre");
+  file.array(group + "/radius_m", frame.radius, "m", "disc radius");
+  file.array(group + "/id", frame.id, "1", "number the disc was born with");
+  file.array(group + "/fragment", frame.fragment, "1", "piece the disc hangs together with, 0 is the bed");
+}
+
+}  // namespace
+
+std::string cut_hash(const CutCase& cut, std::uint64_t seed) {
+  return base::fingerprint_text(fmt::format("physics {}\nseed {}\n{}", physics_version, seed, resolved_toml(cut)));
+}
+
+void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const std::filesystem::path& path) {
+  base::Hdf5Writer file;
+  file.attribute("format", format_name);
+  file.attribute("format_version", format_version);
+  file.attribute("version", base::version);
+  file.attribute("git_commit", base::git_commit);
+  file.attribute("config_toml", resolved_toml(cut));
+  file.attribute("config_hash", cut_hash(cut, seed));
+  file.attribute("seed", static_cast<long long>(seed));
+  file.attribute("discs", static_cast<long long>(run.discs));
+  file.attribute("joints", static_cast<long long>(run.joints));
+  file.attribute("step_s", run.step);
+  file.attribute("steps", run.steps);
+  file.attribute("cut_length_m", run.cut_length);
+  file.attribute("duration_s", run.duration);
+  file.attribute("mean_force_x_N_per_m", run.mean_force_x);
+  file.attribute("mean_force_y_N_per_m", run.mean_force_y);
+  file.attribute("specific_energy_Pa", run.specific_energy);
+  file.attribute("removed_discs", static_cast<long long>(run.removed_discs));
+  file.attribute("injected_energy_J_per_m", run.injected_energy);
+  file.attribute("wall_s", run.wall_time);
+  file.attribute("ns_per_disc_step", run.nanoseconds_per_disc_step);
+
+  file.array("/force/time_s", run.time, "s", "end of the sampling interval");
+  file.array("/force/x_N_per_m", run.force_x, "N/m", "resistance to cutting, mean over the sampling interval");
+  file.array("/force/y_N_per_m", run.force_y, "N/m", "push out of the rock, mean over the sampling interval");
+  file.array("/energy/cutter_work_J_per_m", run.cutter_work, "J/m", "work of the cutter so far");
+  file.array("/energy/kinetic_J_per_m", run.kinetic_energy, "J/m", "of all discs in the domain");
+  write_cracks(file, run.cracks);
+  for (std::size_t k = 0; k < run.frames.size(); ++k) {
+    const bool last = k + 1 == run.frames.size();
+    write_frame(file, last ? "/frames/last" : fmt::format("/frames/{:04d}", k), run.frames[k]);
+  }
+  file.attribute("status", "complete");
+  file.save(path);
+}
+
+RunFile read_run(const std::filesystem::path& path) {
+  const base::Hdf5Reader file(path);
+  const auto refuse = [&](const std::string& why) {
+    throw base::InputError(fmt::format("{}: {}", path.string(), why));
+  };
+  if (!file.has_attribute("format") || file.text_attribute("format") != format_name) refuse("not a bitrock run");
+  if (file.number_attribute("format_version") != static_cast<double>(format_version)) {
+    refuse(
+        fmt::format("run format {} (this program reads {})", file.number_attribute("format_version"), format_version));
+  }
+  RunFile result;
+  result.status = file.text_attribute("status");
+  if (result.status != "complete") refuse("the run is not complete (status " + result.status + ")");
+  result.config_toml = file.text_attribute("config_toml");
+  result.config_hash = file.text_attribute("config_hash");
+  result.seed = static_cast<std::uint64_t>(file.number_attribute("seed"));
+  result.cut = parse_resolved(result.config_toml, path.string() + " (config_toml)");
+
+  CutRun& run = result.run;
+  run.discs = static_cast<int>(file.number_attribute("discs"));
+  run.joints = static_cast<int>(file.number_attribute("joints"));
+  run.step = file.number_attribute("step_s");
+  run.steps = static_cast<long long>(file.number_attribute("steps"));
+  run.cut_length = file.number_attribute("cut_length_m");
+  run.duration = file.number_attribute("duration_s");
+  run.mean_force_x = file.number_attribute("mean_force_x_N_per_m");
+  run.mean_force_y = file.number_attribute("mean_force_y_N_per_m");
+  run.specific_energy = file.number_attribute("specific_energy_Pa");
+  run.wall_time = file.number_attribute("wall_s");
+  run.nanoseconds_per_disc_step = file.number_attribute("ns_per_disc_step");
+  run.time = file.doubles("/force/time_s");
+  run.force_x = file.doubles("/force/x_N_per_m");
+  run.force_y = file.doubles("/force/y_N_per_m");
+  if (run.time.size() != run.force_x.size() || run.time.size() != run.force_y.size())
+    refuse("force arrays differ in length");
+
+  const auto time = file.doubles("/cracks/time_s"), x = file.doubles("/cracks/x_m"), y = file.doubles("/cracks/y_m"),
+             angle = file.doubles("/cracks/normal_angle_rad"), length = file.doubles("/cracks/length_m");
+  const auto mode = file.ints("/cracks/mode"), disc1 = file.ints("/cracks/disc_1"), disc2 = file.ints("/cracks/disc_2");
+  for (const std::size_t size :
+       {x.size(), y.size(), angle.size(), length.size(), mode.size(), disc1.size(), disc2.size()}) {
+    if (size != time.size()) refuse("crack arrays differ in length");
+  }
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    run.cracks.push_back({time[k], x[k], y[k], angle[k], length[k], mode[k], disc1[k], disc2[k]});
+    (mode[k] == 1 ? run.cracks_tensile : run.cracks_shear) += 1;
+  }
+
+  Frame frame;
+  const std::vector<double> tip = file.doubles("/frames/last/tip_x_m"), instant = file.doubles("/frames/last/time_s");
+  if (tip.size() != 1 || instant.size() != 1) refuse("the last frame has no cutter position");
+  frame.tip_x = tip[0];
+  frame.time = instant[0];
+  frame.x = file.doubles("/frames/last/x_m");
+  frame.y = file.doubles("/frames/last/y_m");
+  frame.radius = file.doubles("/frames/last/radius_m");
+  frame.id = file.ints("/frames/last/id");
+  frame.fragment = file.ints("/frames/last/fragment");
+  for (const std::size_t size : {frame.y.size(), frame.radius.size(), frame.id.size(), frame.fragment.size()}) {
+    if (size != frame.x.size()) refuse("frame arrays differ in length");
+  }
+  run.frames.push_back(std::move(frame));
+  return result;
+}
+
+bool is_complete_run(const std::filesystem::path& path, const std::string& hash) {
+  if (!std::filesystem::exists(path)) return false;
+  try {
+    return read_run(path).config_hash == hash;
+  } catch (const base::InputError&) {
+    return false;
+  }
+}
+
+}  // namespace dem2d

@@ -1,0 +1,33 @@
+#pragma once
+/// A finished cut as an HDF5 file (docs/formats.md, "run.h5"), and back.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "dem2d/cut/run_cut.hpp"
+
+namespace dem2d {
+
+/// Fingerprint of everything a run depends on: resolved case and rock, seed, and the version of the engine's physics.
+/// A run file with this hash need not be computed again.
+std::string cut_hash(const CutCase& cut, std::uint64_t seed);
+
+/// The same run always gives the same bytes, but for the attributes wall_s and ns_per_disc_step.
+void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const std::filesystem::path& path);
+
+/// What the rest of the thread needs of a run: force history, cracks, last frame, and the case it belongs to.
+struct RunFile {
+  std::string config_toml, config_hash, status;
+  std::uint64_t seed = 0;
+  CutCase cut;  ///< from config_toml
+  CutRun run;   ///< frames: the last one only
+};
+
+/// Throws `base::InputError` when the file is not a whole run.
+RunFile read_run(const std::filesystem::path& path);
+
+/// True when `path` is a complete run with this hash; false for anything else, without an exception.
+bool is_complete_run(const std::filesystem::path& path, const std::string& hash);
+
+}  // namespace dem2d

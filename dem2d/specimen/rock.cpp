@@ -1,0 +1,71 @@
+#include "dem2d/specimen/rock.hpp"
+
+#include <numbers>
+
+namespace dem2d {
+
+namespace {
+
+constexpr double mm = 1e-3, MPa = 1e6, GPa = 1e9, deg = std::numbers::pi / 180.0;
+
+Rock checked(base::ConfigFile file) {
+  Rock rock;
+  for (const base::Section& section : describe(rock)) file.fill(section);
+  file.refuse_unknown();
+  if (rock.radius_max < rock.radius_min) {
+    file.refuse("discs", "radius_max_mm", "must be at least discs.radius_min_mm");
+  }
+  if (rock.installation_gap > rock.radius_min) {
+    file.refuse("flat_joints", "installation_gap_mm",
+                "must be at most discs.radius_min_mm: only neighbours are joined");
+  }
+  return rock;
+}
+
+}  // namespace
+
+std::vector<base::Section> describe(Rock& rock) {
+  using base::at_least, base::between, base::positive, base::any;
+  const base::Range below_90{.low = 0.0, .high = 90.0, .high_open = true};
+  const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
+  return {
+      {"rock", {{"name", &rock.name, 1.0, any(), "what this rock is called in reports"}}},
+      {"discs",
+       {{"radius_min_mm", &rock.radius_min, mm, between(1e-3, 1e3), "smallest disc radius", true},
+        {"radius_max_mm", &rock.radius_max, mm, between(1e-3, 1e3), "largest disc radius", true},
+        {"density_kg_per_m3", &rock.density, 1.0, between(1.0, 1e5), "density of a grain"},
+        {"porosity", &rock.porosity, 1.0, between(0.05, 0.3), "of the cloud before packing, overlaps not counted"}}},
+      {"flat_joints",
+       {{"effective_modulus_GPa", &rock.joint_modulus, GPa, positive(), "E* of the joints", true},
+        {"stiffness_ratio", &rock.joint_stiffness_ratio, 1.0, positive(), "normal over shear stiffness", true},
+        {"tensile_strength_MPa", &rock.tensile_strength, MPa, positive(), "of an element", true},
+        {"cohesion_MPa", &rock.cohesion, MPa, positive(), "of an element", true},
+        {"friction_angle_deg", &rock.friction_angle, deg, below_90, "of a bonded element"},
+        {"friction_coefficient", &rock.friction, 1.0, between(0.0, 10.0), "of a broken element"},
+        {"elements", &rock.elements, 1.0, between(1, 64), "elements of a joint"},
+        {"radius_multiplier", &rock.radius_multiplier, 1.0, between(0.01, 1.0), "half-length over smaller radius"},
+        {"installation_gap_mm", &rock.installation_gap, mm, at_least(0.0), "discs closer than this are joined"}}},
+      {"linear_contacts",
+       {{"effective_modulus_GPa", &rock.contact_modulus, GPa, positive(), "E* between loose discs, cutter and walls"},
+        {"stiffness_ratio", &rock.contact_stiffness_ratio, 1.0, positive(), "normal over shear stiffness"},
+        {"friction_coefficient", &rock.contact_friction, 1.0, between(0.0, 10.0), "between loose discs"},
+        {"damping_ratio", &rock.contact_damping_ratio, 1.0, between(0.0, 1.0), "dashpot, share of critical"}}},
+      {"packing",
+       {{"effective_modulus_GPa", &rock.packing_modulus, GPa, positive(), "E* while packing"},
+        {"local_damping", &rock.packing_damping, 1.0, damping, "while packing"},
+        {"equilibrium_ratio", &rock.equilibrium_ratio, 1.0, between(1e-8, 0.1), "unbalanced over contact force"}}},
+      {"specimen",
+       {{"width_mm", &rock.specimen_width, mm, between(1e-2, 1e5), "of a specimen made on its own"},
+        {"height_mm", &rock.specimen_height, mm, between(1e-2, 1e5), "of a specimen made on its own"}}},
+  };
+}
+
+Rock read_rock(const std::filesystem::path& path) {
+  return checked(base::ConfigFile::read(path));
+}
+
+Rock parse_rock(std::string_view text, const std::string& name) {
+  return checked(base::ConfigFile::from_text(text, name));
+}
+
+}  // namespace dem2d

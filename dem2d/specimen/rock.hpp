@@ -1,0 +1,59 @@
+#pragma once
+/// The micro-parameters of a synthetic rock: what a `rock.toml` says. Plain data, SI inside.
+///
+/// The shipped values and their origin are in campaigns/rocks/article.toml. Stiffness is given as an effective modulus
+/// E* and a ratio kappa = kn / ks [PotyondyCundall2004, sec. 2]: a flat joint between discs of radius R1 and R2 gets
+/// kn = E* / (R1 + R2), ks = kn / kappa [Pa/m], and half-length R = lambda min(R1, R2).
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/config.hpp"
+
+namespace dem2d {
+
+struct Rock {
+  std::string name = "unnamed rock";
+
+  // discs
+  double radius_min = 0.5e-3;   ///< [m]
+  double radius_max = 0.75e-3;  ///< [m]
+  double density = 2500.0;      ///< of a grain [kg/m3]
+  double porosity = 0.10;       ///< of the cloud before it is packed, overlaps not counted [1]
+
+  // flat joints
+  double joint_modulus = 1.5e9;        ///< E* [Pa]
+  double joint_stiffness_ratio = 2.5;  ///< kappa [1]
+  double tensile_strength = 10e6;      ///< [Pa]
+  double cohesion = 50e6;              ///< [Pa]
+  double friction_angle = 0.0;         ///< of bonded elements [rad]
+  double friction = 0.577;             ///< of broken elements [1]
+  int elements = 2;                    ///< N_r [1]
+  double radius_multiplier = 1.0;      ///< lambda [1]
+  double installation_gap = 0.05e-3;   ///< discs closer than this are joined [m]
+
+  // linear contacts: loose discs
+  double contact_modulus = 1.5e9;        ///< E* [Pa]
+  double contact_stiffness_ratio = 2.5;  ///< kappa [1]
+  double contact_friction = 0.577;       ///< [1]
+  double contact_damping_ratio = 0.5;    ///< beta, share of critical [1]
+
+  // packing
+  double packing_modulus = 1.0e9;   ///< E* of the frictionless contacts while packing [Pa]
+  double packing_damping = 0.7;     ///< local damping while packing [1]
+  double equilibrium_ratio = 1e-4;  ///< packing is calm below this ratio of unbalanced to contact force [1]
+
+  // specimen, when made on its own (a cut brings its own bed size)
+  double specimen_width = 50e-3;    ///< [m]
+  double specimen_height = 100e-3;  ///< [m]
+};
+
+/// The sections of the file, bound to `rock` (base/config.hpp).
+std::vector<base::Section> describe(Rock& rock);
+
+/// Reads and checks; throws `base::InputError` with file, line and key.
+Rock read_rock(const std::filesystem::path& path);
+Rock parse_rock(std::string_view text, const std::string& name);
+
+}  // namespace dem2d

@@ -1,0 +1,48 @@
+#pragma once
+/// One step of the engine, as a geologist would tell it. Each stage is one function; the order is the physics.
+///
+/// Integration is the central-difference (leap-frog) scheme [CundallStrack1979]:
+///
+///     v(t + dt/2) = v(t - dt/2) + F(t)/m dt          x(t + dt) = x(t) + v(t + dt/2) dt
+///
+/// and likewise for spin and angle with moment and inertia. Local damping [Cundall1987] takes alpha |F| off every
+/// component of the unbalanced force, against the velocity: F <- F - alpha |F| sign(v).
+
+#include "dem2d/step/world.hpp"
+
+namespace dem2d {
+
+/// Advances the world by `world.step`. Allocates nothing but at a rebuild of the neighbour lists.
+void advance(World& world);
+
+// The stages of `advance`, in its order.
+void refresh_neighbours(World& world);  ///< neighbours.cpp
+void joint_forces(World& world);        ///< forces.cpp
+void contact_forces(World& world);      ///< forces.cpp
+void boundary_forces(World& world);     ///< forces.cpp
+void sum_forces(World& world);          ///< forces.cpp
+void integrate(World& world);           ///< integrate.cpp
+void move_boundaries(World& world);     ///< integrate.cpp
+void collect_cracks(World& world);      ///< integrate.cpp
+
+/// Largest stable step [s] times 0.8, over all discs and their present contacts:
+///
+///     dt = 0.8 min over discs of ( sqrt(m / k_x), sqrt(m / k_y), sqrt(I / k_rot) )
+///     k_x = sum (Kn n_x^2 + Ks n_y^2)     k_rot = sum (Ks rho^2 + Kr)
+///
+/// joint: Kn = kn 2R, Ks = ks 2R, Kr = kn (2/3) R^3, rho = distance from the centre to the interface; contact: Kr = 0.
+/// Source: [ItascaPFC, time-step determination] for the form. Margin: the central-difference scheme is stable for
+/// omega dt < 2, and two discs in counter-phase reach omega^2 = 2 k / m at most, so dt = 0.8 sqrt(m/k) leaves
+/// (2 / (0.8 sqrt 2))^2 = 3.1 times the stiffness for contacts that come later (a disc and the cutter add about 1).
+double critical_step(const World& world);
+
+/// Mean unbalanced force over mean sum of contact forces, over all discs [1]; 0 when nothing touches.
+double equilibrium_ratio(const World& world);
+
+/// Kinetic energy of translation and rotation, with the velocities of half a step ago [J/m].
+double kinetic_energy(const World& world);
+
+/// Throws `SimulationError` with time and disc when a position, velocity or force is not a finite number.
+void require_finite(const World& world);
+
+}  // namespace dem2d

@@ -1,0 +1,131 @@
+#pragma once
+/// All that moves, and all that joins it: the state one step of the engine reads and writes. Plain data by component
+/// (one array a quantity), so that a loop touches only what it needs.
+///
+/// Instants: positions and angles live at time t, velocities and spins half a step earlier (t - dt/2), forces at t.
+/// Everything is per metre of out-of-plane thickness: masses [kg/m], forces [N/m], moments [N].
+
+#include <cstdint>
+#include <vector>
+
+#include "dem2d/contact/flat_joint.hpp"
+#include "dem2d/contact/linear_contact.hpp"
+#include "dem2d/tool/convex_polygon.hpp"
+
+namespace dem2d {
+
+struct Discs {
+  std::vector<double> x, y, angle;             ///< [m], [m], [rad]
+  std::vector<double> velocity_x, velocity_y;  ///< [m/s]
+  std::vector<double> spin;                    ///< [rad/s]
+  std::vector<double> force_x, force_y;        ///< [N/m]
+  std::vector<double> moment;                  ///< [N]
+  std::vector<double> radius;                  ///< [m]
+  std::vector<double> mass;                    ///< rho pi R^2 [kg/m]
+  std::vector<double> inertia;                 ///< mass R^2 / 2 [kg m]
+  std::vector<int> id;                         ///< number the disc was born with; keeps its meaning when others leave
+
+  int count() const { return static_cast<int>(x.size()); }
+};
+
+/// Adds a disc at rest.
+void add_disc(Discs& discs, double x, double y, double radius, double density);
+
+/// One entry a joint; `shear_stress` and `state` hold `elements` entries a joint, one after the other.
+struct FlatJoints {
+  int elements = 1;
+  std::vector<int> disc1, disc2;
+  std::vector<double> half_length, normal_stiffness, shear_stiffness;            ///< [m], [Pa/m], [Pa/m]
+  std::vector<double> tensile_strength, cohesion, tan_friction_angle, friction;  ///< [Pa], [Pa], [1], [1]
+  std::vector<double> stress_free_distance;  ///< between centres: the gap of the faces is distance minus this [m]
+  std::vector<double> stress_free_rotation;  ///< angle of disc 2 minus angle of disc 1 at installation [rad]
+  std::vector<double> shear_displacement;    ///< of disc 2 against disc 1 since installation [m]
+  std::vector<int> bonded;                   ///< elements still bonded
+  std::vector<double> shear_stress;          ///< [Pa]
+  std::vector<ElementState> state;
+
+  int count() const { return static_cast<int>(disc1.size()); }
+  FlatJointLaw law(int joint) const;
+};
+
+/// Pairs of discs near enough to meet before the lists are made anew; sorted by (disc1, disc2), disc1 < disc2.
+struct LinearContacts {
+  std::vector<int> disc1, disc2;
+  std::vector<double> normal_stiffness, dashpot;  ///< [Pa], [Pa s]
+  std::vector<double> shear_force;                ///< history of the contact [N/m]
+
+  int count() const { return static_cast<int>(disc1.size()); }
+};
+
+/// A rigid polygon that moves at a given velocity: cutter, bed wall, side of the packing box.
+struct Boundary {
+  ConvexPolygon shape;
+  double velocity_x = 0.0, velocity_y = 0.0;  ///< [m/s]
+  double modulus = 0.0;                       ///< E* [Pa]
+  double stiffness_ratio = 1.0;               ///< kappa [1]
+  double friction = 0.0;                      ///< mu [1]
+  double damping_ratio = 0.0;                 ///< beta [1]
+
+  double force_x = 0.0, force_y = 0.0;    ///< of the discs on the boundary at the last step [N/m]
+  double displaced = 0.0;                 ///< path since the neighbour lists were made [m]
+  std::vector<int> near;                  ///< discs that can touch before the lists are made anew
+  std::vector<double> shear_force;        ///< history, one entry a disc [N/m]
+  std::vector<double> reference_overlap;  ///< overlap at the start that carries no force, one entry a disc [m]
+  std::vector<double> contact_force_x, contact_force_y, contact_moment;  ///< on the discs of `near`
+};
+
+/// One element that broke.
+struct Crack {
+  double time;          ///< [s]
+  double x, y;          ///< middle of the interface [m]
+  double normal_angle;  ///< of the interface normal, from x [rad]
+  double length;        ///< of the element [m]
+  int mode;             ///< 1 tension, 2 shear
+  int disc1, disc2;     ///< ids of the two discs
+};
+
+/// Discs that leave this box are removed [m].
+struct Domain {
+  double x_low, y_low, x_high, y_high;
+};
+
+/// Results of the contact pass, two slots a contact (one a disc), and for each disc the list of its slots.
+/// Adding up slots in list order gives the same sum for any number of threads.
+struct ForceSlots {
+  std::vector<double> force_x, force_y, moment;
+  std::vector<int> first;  ///< first entry in `slot` of each disc; one more entry than discs
+  std::vector<int> slot;
+};
+
+struct World {
+  Discs discs;
+  FlatJoints joints;
+  LinearContacts contacts;
+  std::vector<Boundary> boundaries;
+  std::vector<Crack> cracks;
+  Domain domain{};
+
+  // linear contacts between discs
+  double contact_modulus = 0.0;          ///< E* [Pa]
+  double contact_stiffness_ratio = 1.0;  ///< kappa [1]
+  double contact_friction = 0.0;         ///< [1]
+  double contact_damping_ratio = 0.0;    ///< [1]
+
+  double local_damping = 0.0;  ///< alpha [1]
+  double step = 0.0;           ///< dt [s]
+  double time = 0.0;           ///< [s]
+  int threads = 1;
+
+  // neighbour lists
+  double skin = 0.0;                       ///< lists hold every pair closer than this [m]
+  double largest_displacement = 0.0;       ///< of any disc since the lists were made [m]
+  std::vector<double> listed_x, listed_y;  ///< positions when the lists were made [m]
+  bool lists_valid = false;
+  ForceSlots slots;
+  std::vector<std::vector<Crack>> fresh_cracks;  ///< of this step, one list a thread
+
+  int removed_discs = 0;
+  double injected_energy = 0.0;  ///< in contacts that replaced joints while the discs overlapped [J/m]
+};
+
+}  // namespace dem2d

@@ -1,0 +1,27 @@
+#pragma once
+/// The outline of a single PDC cutter in the plane of the cut: a rectangle, leaned by the back rake.
+///
+///               ______
+///              /     /      The face looks forward and down: its outward normal is (cos rake, -sin rake), so it pushes
+///     thickness     / <- face   the rock ahead (x) and into the hole (-y), and the rock pushes the cutter back and up.
+///            /     /        Behind the tip the lower side rises with the same angle (clearance), so that only the face
+///           /_____/         and the tip cut. `depth of cut` is the height of the rock surface above the tip.
+///               tip  -> cutting direction x
+///
+/// Source of the geometry: back rake as in [DetournayDefourny1992, fig. 1]; four straight walls sized by cutter
+/// diameter and thickness as in [BitRock2026, fig. 1].
+
+#include "dem2d/tool/convex_polygon.hpp"
+
+namespace dem2d {
+
+struct CutterShape {
+  double diameter;   ///< length of the face [m]
+  double thickness;  ///< of the cutter behind the face [m]
+  double back_rake;  ///< lean of the face out of the vertical [rad], 0 <= back rake < pi/2
+};
+
+/// The outline with its tip at (tip_x, tip_y).
+ConvexPolygon cutter_outline(const CutterShape& shape, double tip_x, double tip_y);
+
+}  // namespace dem2d

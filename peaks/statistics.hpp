@@ -1,0 +1,37 @@
+#pragma once
+/// A force history reduced to the five numbers the networks learn [BitRock2026, sec. 3.2].
+///
+/// Peaks are those of `find_peaks` higher than 1 % of the highest sample. The highest peak gives A_max, the mean height
+/// of all of them A_mean. The counts sort peaks by height h as a share of A_max:
+///
+///     NP1   0.75 < h / A_max <= 1        NP23   0.25 < h / A_max <= 0.75        NP4   0.01 < h / A_max <= 0.25
+///
+/// The article does not say to which band an edge belongs; here a band owns its upper edge. Heights are in the unit of
+/// the signal, N/m for the DEM. A signal without a positive sample or without a peak has five zeros.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace peaks {
+
+inline constexpr double height_threshold = 0.01;  ///< of the highest sample [1]
+inline constexpr double upper_band_edge = 0.75;   ///< of A_max [1]
+inline constexpr double lower_band_edge = 0.25;   ///< of A_max [1]
+
+struct PeakStatistics {
+  double amax = 0.0;   ///< height of the highest peak [unit of the signal]
+  double amean = 0.0;  ///< mean height of all peaks [unit of the signal]
+  int np1 = 0;         ///< peaks in the upper band
+  int np23 = 0;        ///< peaks in the middle band
+  int np4 = 0;         ///< peaks in the lower band
+
+  int count() const { return np1 + np23 + np4; }
+};
+
+/// Indices of the peaks that count.
+std::vector<std::size_t> counted_peaks(std::span<const double> signal);
+
+PeakStatistics peak_statistics(std::span<const double> signal);
+
+}  // namespace peaks

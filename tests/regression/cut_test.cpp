@@ -1,0 +1,108 @@
+// Small whole cuts: the same bits for any number of threads and any repeat, and forces of the right kind.
+#include <gtest/gtest.h>
+
+#include "base/files.hpp"
+#include "dem2d/output/run_file.hpp"
+#include "dem2d/output/snapshot.hpp"
+#include "dem2d/specimen/specimen_file.hpp"
+#include "dem2d/step/step.hpp"
+
+namespace {
+
+/// A shallow, short, fast cut in a small bed: about 200 discs, under a second.
+dem2d::CutCase small_cut() {
+  dem2d::CutCase cut = dem2d::read_cut_case(std::string(BITROCK_SOURCE_DIR) + "/campaigns/cuts/example.toml");
+  cut.cutter_speed = 2.0;
+  cut.cut_length = 8e-3;
+  cut.bed_length = 24e-3;
+  cut.bed_height = 12e-3;
+  dem2d::check_cut_case(cut, "small cut");
+  return cut;
+}
+
+dem2d::Specimen small_bed(int threads = 1) {
+  const dem2d::CutCase cut = small_cut();
+  return dem2d::make_specimen(cut.rock, cut.bed_length, cut.bed_height, 3, threads);
+}
+
+TEST(Genesis, PacksDenseAndConnected) {
+  const dem2d::Specimen bed = small_bed();
+  EXPECT_LE(bed.equilibrium_ratio, 1e-4);
+  EXPECT_GT(dem2d::coordination_number(bed), 4.0);
+  EXPECT_LT(dem2d::coordination_number(bed), 6.0);
+  EXPECT_GT(dem2d::porosity(bed), 0.09) << "no packing of discs is denser than the triangular one (0.093)";
+  EXPECT_LT(dem2d::porosity(bed), 0.18);
+  EXPECT_LE(dem2d::floaters(bed), static_cast<int>(bed.x.size()) / 50);
+}
+
+TEST(Genesis, SameSeedSameBytesForAnyThreads) {
+  const auto folder = std::filesystem::path(testing::TempDir());
+  dem2d::write_specimen(small_bed(1), folder / "one.h5");
+  dem2d::write_specimen(small_bed(2), folder / "two.h5");
+  EXPECT_EQ(base::read_whole(folder / "one.h5"), base::read_whole(folder / "two.h5"));
+  const dem2d::Specimen read = dem2d::read_specimen(folder / "one.h5");
+  EXPECT_EQ(read.x, small_bed().x);
+  EXPECT_EQ(read.disc2, small_bed().disc2);
+}
+
+TEST(Cut, SameBitsForOneAndTwoThreads) {
+  const auto cut = small_cut();
+  const auto bed = small_bed();
+  const auto one = dem2d::run_cut(cut, bed, 1), two = dem2d::run_cut(cut, bed, 2);
+  EXPECT_EQ(one.force_x, two.force_x);
+  EXPECT_EQ(one.force_y, two.force_y);
+  ASSERT_EQ(one.cracks.size(), two.cracks.size());
+  for (std::size_t k = 0; k < one.cracks.size(); ++k) {
+    EXPECT_EQ(one.cracks[k].time, two.cracks[k].time);
+    EXPECT_EQ(one.cracks[k].disc1, two.cracks[k].disc1);
+    EXPECT_EQ(one.cracks[k].x, two.cracks[k].x);
+  }
+}
+
+TEST(Cut, TheRockResistsAndPushesOutAndBreaks) {
+  const auto run = dem2d::run_cut(small_cut(), small_bed(), 1, 2);
+  EXPECT_GT(run.mean_force_x, 0.0);
+  EXPECT_GT(run.mean_force_y, 0.0) << "with positive back rake the rock pushes the cutter out";
+  EXPECT_GT(run.cracks_tensile, 10);
+  EXPECT_EQ(run.time.size(), 400u);
+  EXPECT_NEAR(run.time.back(), 8e-3 / 2.0, 1e-12);
+  EXPECT_EQ(run.frames.size(), 2u);
+  for (const dem2d::Crack& crack : run.cracks) {
+    EXPECT_GE(crack.time, 0.0);
+    EXPECT_LE(crack.time, run.duration);
+  }
+}
+
+TEST(Cut, ACutterThatMovesAwayFromTheRockFeelsNothing) {
+  auto cut = small_cut();
+  const auto bed = small_bed();
+  dem2d::World world = dem2d::make_cut_world(cut, bed, 1);
+  world.boundaries[0].velocity_x = -1.0;
+  for (int step = 0; step < 500; ++step) {
+    dem2d::advance(world);
+    ASSERT_EQ(world.boundaries[0].force_x, 0.0);
+  }
+  // nothing is locked in: without a cutter the bed stays exactly where it was made
+  EXPECT_EQ(world.discs.x, bed.x);
+  EXPECT_EQ(world.discs.y, bed.y);
+}
+
+TEST(RunFile, RoundTripAndPicture) {
+  const auto cut = small_cut();
+  const auto run = dem2d::run_cut(cut, small_bed(), 1);
+  const auto path = std::filesystem::path(testing::TempDir()) / "run.h5";
+  dem2d::write_run(run, cut, 3, path);
+  const dem2d::RunFile file = dem2d::read_run(path);
+  EXPECT_EQ(file.run.force_x, run.force_x);
+  EXPECT_EQ(file.run.cracks.size(), run.cracks.size());
+  EXPECT_EQ(file.seed, 3u);
+  EXPECT_TRUE(dem2d::is_complete_run(path, dem2d::cut_hash(cut, 3)));
+  EXPECT_FALSE(dem2d::is_complete_run(path, dem2d::cut_hash(cut, 4)));
+  EXPECT_EQ(dem2d::draw_snapshot(file).substr(1, 3), "PNG");
+
+  const std::string bytes = base::read_whole(path);
+  base::write_whole(path, bytes.substr(0, bytes.size() - 1000));
+  EXPECT_FALSE(dem2d::is_complete_run(path, dem2d::cut_hash(cut, 3)));
+}
+
+}  // namespace

@@ -1,0 +1,96 @@
+// Neighbour search against brute force, removal of lost discs, the end of finished joints, and fragments.
+#include "dem2d/step/neighbours.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "base/random.hpp"
+#include "dem2d/cut/fragments.hpp"
+#include "dem2d/step/step.hpp"
+#include "tests/unit/small_worlds.hpp"
+
+namespace {
+
+TEST(Neighbours, PairsAgreeWithBruteForce) {
+  dem2d::Discs discs;
+  base::Random random(6);
+  for (int i = 0; i < 400; ++i) {
+    dem2d::add_disc(discs, base::uniform(random, -0.02, 0.03), base::uniform(random, 0.0, 0.02),
+                    base::uniform(random, 0.5e-3, 1e-3), 2500.0);
+  }
+  const double gap = 2e-4;
+  const dem2d::Pairs pairs = dem2d::pairs_within(discs, gap);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < 400; ++i) {
+    for (std::size_t j = i + 1; j < 400; ++j) {
+      if (std::hypot(discs.x[j] - discs.x[i], discs.y[j] - discs.y[i]) > discs.radius[i] + discs.radius[j] + gap)
+        continue;
+      ASSERT_LT(next, pairs.disc1.size());
+      EXPECT_EQ(pairs.disc1[next], static_cast<int>(i));
+      EXPECT_EQ(pairs.disc2[next], static_cast<int>(j));
+      ++next;
+    }
+  }
+  EXPECT_EQ(next, pairs.disc1.size());
+  EXPECT_GT(next, 100u);
+}
+
+TEST(Neighbours, AJoinedPairHasNoLinearContactAndALoosePairHas) {
+  dem2d::World world = small_worlds::chain(3);
+  dem2d::add_disc(world.discs, 2.5e-3, 1.5e-3, 1e-3, 2500.0);  // rests on the second and third disc, unjoined
+  dem2d::prepare(world);
+  EXPECT_EQ(world.joints.count(), 2);
+  ASSERT_EQ(world.contacts.count(), 2);
+  EXPECT_EQ(world.contacts.disc2[0], 3);
+}
+
+TEST(Neighbours, ALostDiscTakesItsJointsAlongAndOthersKeepTheirNames) {
+  dem2d::World world = small_worlds::chain(4);
+  dem2d::prepare(world);
+  world.discs.y[1] = world.domain.y_high + 1.0;
+  world.lists_valid = false;
+  dem2d::refresh_neighbours(world);
+  EXPECT_EQ(world.removed_discs, 1);
+  EXPECT_EQ(world.discs.id, (std::vector<int>{0, 2, 3}));
+  ASSERT_EQ(world.joints.count(), 1);
+  EXPECT_EQ(world.joints.disc1[0], 1);  // 2-3, renumbered
+  EXPECT_EQ(world.joints.disc2[0], 2);
+  dem2d::advance(world);
+}
+
+TEST(Neighbours, AJointEndsOnlyWhenBrokenAndFarApart) {
+  dem2d::World world = small_worlds::chain(2);
+  dem2d::prepare(world);
+  world.discs.x[1] += 1.5 * world.skin;
+  world.lists_valid = false;
+  dem2d::refresh_neighbours(world);
+  EXPECT_EQ(world.joints.count(), 1) << "bonded joints stay, however long";
+  for (auto& state : world.joints.state) state = dem2d::ElementState::broken_in_tension;
+  world.joints.bonded[0] = 0;
+  world.lists_valid = false;
+  dem2d::refresh_neighbours(world);
+  EXPECT_EQ(world.joints.count(), 0);
+  EXPECT_EQ(world.injected_energy, 0.0);
+}
+
+TEST(Neighbours, NotANumberIsReportedWithItsDisc) {
+  dem2d::World world = small_worlds::chain(2);
+  dem2d::prepare(world);
+  world.discs.x[1] = std::nan("");
+  try {
+    dem2d::require_finite(world);
+    FAIL();
+  } catch (const base::SimulationError& error) {
+    EXPECT_NE(std::string(error.what()).find("disc 1"), std::string::npos);
+  }
+}
+
+TEST(Fragments, PiecesAreNumberedBySize) {
+  dem2d::World world = small_worlds::chain(5);
+  world.joints.bonded[1] = 0;  // {0, 1} and {2, 3, 4}
+  EXPECT_EQ(dem2d::label_fragments(world), (std::vector<int>{1, 1, 0, 0, 0}));
+}
+
+}  // namespace
