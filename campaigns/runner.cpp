@@ -1,0 +1,192 @@
+#include "campaigns/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/stop.hpp"
+#include "dem2d/output/run_file.hpp"
+#include "dem2d/specimen/specimen_file.hpp"
+
+namespace campaigns {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+std::string job_name(const Job& job) {
+  return fmt::format("case_{:03d}_seed_{}", job.case_number, job.seed);
+}
+
+Path failure_path(const Path& folder, const Job& job) {
+  return folder / "failed" / (job_name(job) + ".txt");
+}
+
+void refuse_other_study(const Study& study, const Path& folder) {
+  const Path file = folder / "study.toml";
+  if (!std::filesystem::exists(file)) return;
+  if (base::read_whole(file) == resolved_toml(study)) return;
+  throw base::InputError(
+      fmt::format("{} holds runs of another study (its study.toml differs from the one asked for); "
+                  "choose another --dir, or remove that folder",
+                  folder.string()));
+}
+
+bool is_done(const Path& folder, const Job& job) {
+  return dem2d::is_complete_run(run_path(folder, job), dem2d::cut_hash(job.cut, static_cast<std::uint64_t>(job.seed)));
+}
+
+/// The rocks of a study: each made (or read) by the first worker that needs it, while others that need it wait.
+class RockStore {
+ public:
+  RockStore(const Study& study, Path folder, std::function<void(const std::string&)> on_stage)
+      : study_(study), folder_(std::move(folder)), on_stage_(std::move(on_stage)) {
+    for (const int seed : study.seeds) rocks_[seed] = std::make_unique<Rock>();
+  }
+
+  std::shared_ptr<const dem2d::Specimen> get(int seed) {
+    Rock& rock = *rocks_.at(seed);
+    const std::lock_guard lock(rock.mutex);
+    if (!rock.specimen) rock.specimen = std::make_shared<const dem2d::Specimen>(make(seed));
+    return rock.specimen;
+  }
+
+ private:
+  struct Rock {
+    std::mutex mutex;
+    std::shared_ptr<const dem2d::Specimen> specimen;
+  };
+
+  dem2d::Specimen make(int seed) const {
+    const Path file = folder_ / fmt::format("seed_{}.h5", seed);
+    const dem2d::CutCase& common = study_.common;
+    if (std::filesystem::exists(file)) {
+      try {
+        dem2d::Specimen kept = dem2d::read_specimen(file);
+        dem2d::Rock of_file = kept.rock, wanted = common.rock;
+        const bool same_rock = base::to_toml(dem2d::describe(of_file)) == base::to_toml(dem2d::describe(wanted));
+        if (same_rock && kept.width == common.bed_length && kept.height == common.bed_height) return kept;
+      } catch (const base::InputError&) {
+        // a damaged rock is simply made again below
+      }
+    }
+    if (on_stage_) on_stage_(fmt::format("making the rock of seed {}", seed));
+    dem2d::Specimen made =
+        dem2d::make_specimen(common.rock, common.bed_length, common.bed_height, static_cast<std::uint64_t>(seed), 1);
+    dem2d::write_specimen(made, file);
+    return made;
+  }
+
+  const Study& study_;
+  Path folder_;
+  std::function<void(const std::string&)> on_stage_;
+  std::map<int, std::unique_ptr<Rock>> rocks_;
+};
+
+/// Jobs of this shard that are not done, longest first, so that the last worker does not sit with the longest job.
+std::vector<Job> pending_jobs(const Study& study, const Path& folder, const RunOptions& options) {
+  std::vector<Job> pending;
+  int number = 0;
+  for (Job& job : jobs(study)) {
+    const bool mine = number++ % options.shards == options.shard - 1;
+    if (mine && !is_done(folder, job)) pending.push_back(std::move(job));
+  }
+  std::stable_sort(pending.begin(), pending.end(), [](const Job& a, const Job& b) {
+    return a.cut.cut_length / a.cut.cutter_speed > b.cut.cut_length / b.cut.cutter_speed;
+  });
+  return pending;
+}
+
+/// Runs one job and stores its result, or the reason of its failure.
+JobReport run_job(const Job& job, const Path& folder, RockStore& rocks) {
+  JobReport report{.job = &job};
+  try {
+    const std::shared_ptr<const dem2d::Specimen> rock = rocks.get(job.seed);
+    const dem2d::CutRun result = dem2d::run_cut(job.cut, *rock, 1);
+    report.wall_time = result.wall_time;
+    dem2d::write_run(result, job.cut, static_cast<std::uint64_t>(job.seed), run_path(folder, job));
+    std::filesystem::remove(failure_path(folder, job));
+  } catch (const base::Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    report.failed = true;
+    report.message = error.what();
+    base::write_whole(failure_path(folder, job), report.message + "\n");
+  }
+  return report;
+}
+
+}  // namespace
+
+std::filesystem::path run_path(const Path& folder, const Job& job) {
+  return folder / "runs" / (job_name(job) + ".h5");
+}
+
+Status status(const Study& study, const Path& folder) {
+  refuse_other_study(study, folder);
+  Status status;
+  for (const Job& job : jobs(study)) {
+    ++status.cases;
+    if (is_done(folder, job)) {
+      ++status.done;
+      status.core_seconds += dem2d::read_run(run_path(folder, job)).run.wall_time;
+    } else if (std::filesystem::exists(failure_path(folder, job))) {
+      ++status.failed;
+    } else {
+      ++status.remaining;
+    }
+  }
+  return status;
+}
+
+void run(const Study& study, const Path& folder, const RunOptions& options) {
+  base::require_writable_folder(folder);
+  refuse_other_study(study, folder);
+  for (const char* part : {"runs", "specimens", "failed"}) base::require_writable_folder(folder / part);
+  base::write_whole(folder / "study.toml", resolved_toml(study));
+
+  const std::vector<Job> pending = pending_jobs(study, folder, options);
+  RockStore rocks(study, folder / "specimens", options.on_stage);
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> interrupted{false};
+  std::mutex report_mutex;
+  std::exception_ptr broken;  // of the runner itself, such as a full disk
+  int finished = 0;
+
+  const auto work = [&] {
+    for (std::size_t mine = next++; mine < pending.size() && !interrupted; mine = next++) {
+      try {
+        JobReport report = run_job(pending[mine], folder, rocks);
+        const std::lock_guard lock(report_mutex);
+        report.finished = ++finished;
+        report.total = static_cast<int>(pending.size());
+        if (options.on_job) options.on_job(report);
+      } catch (const base::Interrupted&) {
+        interrupted = true;
+      } catch (...) {
+        const std::lock_guard lock(report_mutex);
+        broken = std::current_exception();
+        interrupted = true;
+      }
+    }
+  };
+  std::vector<std::thread> workers;
+  const int count = std::min<int>(std::max(1, options.workers), static_cast<int>(pending.size()));
+  for (int worker = 0; worker < count; ++worker) workers.emplace_back(work);
+  for (std::thread& worker : workers) worker.join();
+  if (broken) std::rethrow_exception(broken);
+  if (interrupted) {
+    throw base::Interrupted(fmt::format(
+        "stopped by the user: {} of {} jobs of this call are finished and kept; the same command goes on with the rest",
+        finished, pending.size()));
+  }
+}
+
+}  // namespace campaigns

@@ -1,0 +1,65 @@
+#pragma once
+/// What every subcommand shares: the common flags, the JSON result, a progress line. A subcommand is one file with one
+/// `add_<name>(app)` that declares its flags and sets its action; `main.cpp` turns exceptions into exit statuses.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/progress.hpp"
+
+namespace cli {
+
+struct CommonOptions {
+  std::string json_file;
+  bool quiet = false;
+  bool check = false;
+  int threads = 1;
+};
+
+/// `--json` and `--quiet`.
+void add_common(CLI::App& command, CommonOptions& options);
+/// Also `--threads` and `--check`, for subcommands that compute.
+void add_computing(CLI::App& command, CommonOptions& options);
+
+/// Throws `base::InputError` now when the JSON file could not be written later.
+void require_json_writable(const CommonOptions& options);
+void write_json(const CommonOptions& options, const nlohmann::json& result);
+
+/// Prints unless --quiet.
+template <class... Args>
+void say(const CommonOptions& options, fmt::format_string<Args...> format, Args&&... args) {
+  if (!options.quiet) fmt::print(format, std::forward<Args>(args)...);
+}
+
+/// A callback that shows a progress line until it goes out of scope.
+class Progress {
+ public:
+  Progress(const CommonOptions& options, const std::string& label, const std::string& unit, double per_unit = 1.0)
+      : line_(label, unit, !options.quiet), per_unit_(per_unit) {}
+  base::ProgressCallback callback() {
+    return [this](double done, double total) { line_.show(done * per_unit_, total * per_unit_); };
+  }
+
+ private:
+  base::ProgressLine line_;
+  double per_unit_;  ///< shown number = number given * per_unit
+};
+
+/// Number of cores that may be used.
+int cores();
+
+void add_specimen(CLI::App& app);
+void add_cut(CLI::App& app);
+void add_campaign(CLI::App& app);
+void add_peaks(CLI::App& app);
+void add_train(CLI::App& app);
+void add_predict(CLI::App& app);
+void add_parity(CLI::App& app);
+void add_signal(CLI::App& app);
+void add_report(CLI::App& app);
+void add_snapshot(CLI::App& app);
+
+}  // namespace cli

@@ -1,0 +1,69 @@
+// bitrock: from lab rock to the force on a whole bit. Reads flags, runs one subcommand, turns what went wrong into an
+// exit status: 0 done, 2 the input is wrong, 3 the computation failed, 130 stopped by Ctrl-C.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "base/errors.hpp"
+#include "base/stop.hpp"
+#include "base/version.hpp"
+#include "cli/command.hpp"
+
+namespace {
+
+constexpr int wrong_input = 2, failed = 3, interrupted = 130;
+
+/// The first signal asks politely, between two steps; the second ends the program at once.
+extern "C" void on_stop_signal(int signal) {
+  if (base::stop_requested().exchange(true)) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
+
+int report(const char* prefix, const std::exception& error, int status) {
+  std::fflush(stdout);
+  std::fprintf(stderr, "bitrock: %s%s\n", prefix, error.what());
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, on_stop_signal);
+  std::signal(SIGTERM, on_stop_signal);
+
+  CLI::App app{
+      "bitrock: synthetic rock, cut by one PDC cutter, learnt by small networks, rebuilt as the force on a whole bit"};
+  app.name("bitrock");
+  app.set_version_flag("--version", std::string("bitrock ") + base::version + " (" + base::git_commit + ")");
+  app.require_subcommand(1);
+  cli::add_specimen(app);
+  cli::add_cut(app);
+  cli::add_campaign(app);
+  cli::add_peaks(app);
+  cli::add_train(app);
+  cli::add_predict(app);
+  cli::add_parity(app);
+  cli::add_signal(app);
+  cli::add_report(app);
+  cli::add_snapshot(app);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : wrong_input;
+  } catch (const base::InputError& error) {
+    return report("", error, wrong_input);
+  } catch (const base::Interrupted& error) {
+    return report("", error, interrupted);
+  } catch (const base::SimulationError& error) {
+    return report("the computation failed: ", error, failed);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "bitrock: the computation failed: not enough memory (fewer discs or samples need less)\n");
+    return failed;
+  } catch (const std::exception& error) {
+    return report("the computation failed: ", error, failed);
+  }
+  return std::fflush(stdout) == 0 ? 0 : failed;
+}

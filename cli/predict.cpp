@@ -1,0 +1,59 @@
+// bitrock predict: what a trained model says for one cut.
+#include <memory>
+#include <numbers>
+
+#include "base/errors.hpp"
+#include "cli/command.hpp"
+#include "surrogate/net/model_file.hpp"
+
+namespace cli {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::string model_file;
+  double speed = 0.0, depth_mm = 0.0, rake_deg = 0.0;
+};
+
+nlohmann::json as_json(const surrogate::PeakStatisticsPrediction& p) {
+  return {{"amax", p.amax}, {"amean", p.amean}, {"np1_per_m", p.np1}, {"np23_per_m", p.np23}, {"np4_per_m", p.np4}};
+}
+
+void run(const Options& options) {
+  const surrogate::Model model = surrogate::read_model(options.model_file);
+  const surrogate::CutConditions conditions{options.speed, options.depth_mm * 1e-3,
+                                            options.rake_deg * std::numbers::pi / 180.0};
+  if (!std::isfinite(options.speed + options.depth_mm + options.rake_deg)) {
+    throw base::InputError("--speed-m-per-s, --depth-mm and --rake-deg must be finite numbers");
+  }
+  const surrogate::Prediction prediction = surrogate::predict(model, conditions);
+  if (!prediction.inside_training_range) {
+    std::string ranges;
+    for (const surrogate::Variable& input : model.inputs)
+      ranges += fmt::format("{}{} {:g} to {:g}", ranges.empty() ? "" : ", ", input.name, input.low, input.high);
+    fmt::print(stderr, "bitrock: warning: outside the training range ({}); this is an extrapolation\n", ranges);
+  }
+  for (const auto& [axis, p] : {std::pair{"x", prediction.x}, std::pair{"y", prediction.y}}) {
+    say(options.common, "{}: A_max {:.4g} kN/m, A_mean {:.4g} kN/m, peaks per metre {:.4g} + {:.4g} + {:.4g}\n", axis,
+        p.amax * 1e-3, p.amean * 1e-3, p.np1, p.np23, p.np4);
+  }
+  write_json(options.common, {{"x", as_json(prediction.x)},
+                              {"y", as_json(prediction.y)},
+                              {"inside_training_range", prediction.inside_training_range}});
+}
+
+}  // namespace
+
+void add_predict(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("predict", "five peak statistics for x and y from a trained model");
+  command->add_option("model", options->model_file, "model.json")->required();
+  command->add_option("--speed-m-per-s", options->speed, "cutter speed")->required();
+  command->add_option("--depth-mm", options->depth_mm, "depth of cut")->required();
+  command->add_option("--rake-deg", options->rake_deg, "back rake")->required();
+  add_common(*command, options->common);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace cli

@@ -1,0 +1,112 @@
+// bitrock report: everything a campaign folder holds, on one HTML page.
+#include <algorithm>
+#include <memory>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "cli/report_parts.hpp"
+#include "surrogate/net/model_file.hpp"
+
+namespace cli {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::string folder, output;
+};
+
+// Force histories shown small, side by side; a large campaign has too many for one page.
+constexpr std::size_t most_overviews = 12;
+
+std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.path().extension() == ".h5") files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<dem2d::RunFile> runs;
+  for (const auto& file : files) runs.push_back(dem2d::read_run(file));
+  return runs;
+}
+
+void add_cut_chapters(report::Page& page, const std::vector<dem2d::RunFile>& runs) {
+  page.section(
+      "Cuts",
+      fmt::format("One cutter moves in a straight line through {} synthetic-rock discs at a time. x is along the cut, "
+                  "y out of the rock; both forces are of the rock on the cutter, per metre of width.",
+                  runs.front().run.discs));
+  add_cut_table(page, runs);
+  page.section(
+      "Forces and their peaks",
+      "Every sample is the mean over one sampling interval. Peaks higher than 1 % of the highest sample count; "
+      "the shaded strips are the bands in which they are counted.");
+  add_force_history(page, runs.front());
+  add_force_overview(page, runs, most_overviews);
+  page.section("Fracture");
+  add_fracture_picture(page, runs.front());
+  const auto deepest = std::max_element(
+      runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.cut.depth_of_cut < b.cut.depth_of_cut; });
+  if (deepest->cut.depth_of_cut > runs.front().cut.depth_of_cut) add_fracture_picture(page, *deepest);
+}
+
+void run(const Options& options) {
+  const std::filesystem::path folder = options.folder;
+  if (!std::filesystem::is_directory(folder))
+    throw base::InputError(fmt::format("{} is not a folder (a campaign folder is needed)", options.folder));
+  const auto model_file = folder / "model.json", data_file = folder / "features.csv",
+             bit_file = folder / "bit_force.csv";
+  const std::vector<dem2d::RunFile> runs = read_runs(folder / "runs");
+  const bool has_model = std::filesystem::exists(model_file), has_bit = std::filesystem::exists(bit_file);
+  if (runs.empty() && !has_model && !has_bit) {
+    throw base::InputError(
+        fmt::format("{} holds nothing to report (looked for runs/*.h5, model.json and bit_force.csv)", options.folder));
+  }
+  require_json_writable(options.common);
+  base::require_writable(options.output);
+
+  report::Page page("From lab rock to bit force", runs.empty() ? std::string() : runs.front().cut.rock.name);
+  if (!runs.empty()) add_cut_chapters(page, runs);
+  if (has_model) {
+    const surrogate::Model model = surrogate::read_model(model_file);
+    page.section("Learning",
+                 "Ten small networks, one for each statistic of each force: speed, depth and rake in, one number out. "
+                 "Peak counts are per metre of cut.");
+    add_learning_curves(page, model);
+    if (std::filesystem::exists(data_file)) {
+      const surrogate::TrainingData data = surrogate::read_training_data(data_file);
+      page.section("Network against DEM", "On the line the network says what the DEM gave; the band is +-15 %.");
+      add_parity(page, model, data, surrogate::parity(model, data));
+    }
+  }
+  if (has_bit) {
+    page.section(
+        "The whole bit",
+        "Every cutter rebuilds its own force history from the peak statistics, with its own random numbers; the bit is "
+        "their sum. Positive force pushes the bit off the rock, positive torque resists its rotation.");
+    add_bit_force(page, bit_file, folder / "bit_force.json");
+  }
+  base::write_whole(options.output, page.html());
+  say(options.common, "-> {}\n", options.output);
+  write_json(options.common, {{"files", {options.output}}});
+}
+
+}  // namespace
+
+void add_report(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("report", "one HTML page of a campaign folder: forces, fracture, learning, parity, bit");
+  command
+      ->add_option("dir", options->folder,
+                   "campaign folder; may also hold model.json, bit_force.csv and bit_force.json")
+      ->required();
+  command->add_option("-o,--output", options->output, "HTML file to write")->default_val("report.html");
+  add_common(*command, options->common);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace cli

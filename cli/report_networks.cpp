@@ -1,0 +1,166 @@
+// Report chapters about networks and bit: learning curves, parity, force and torque of the whole bit.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/csv.hpp"
+#include "base/files.hpp"
+#include "base/statistics.hpp"
+#include "cli/report_parts.hpp"
+#include "report/parity_plot.hpp"
+
+namespace cli {
+
+namespace {
+
+// A network of 71 parameters cannot be judged on fewer cases than about half of that.
+constexpr std::size_t enough_cases = 40;
+
+std::string percent(const std::optional<double>& share) {
+  return share ? fmt::format("{:.1f} %", 100.0 * *share) : "-";
+}
+std::string number(const std::optional<double>& value) {
+  return value ? fmt::format("{:.4g}", *value) : "-";
+}
+
+std::vector<report::Plot> parity_plots(const surrogate::Parity& parity, const std::map<int, std::string>& labels,
+                                       std::size_t from, std::size_t to) {
+  std::vector<report::Plot> plots;
+  for (std::size_t k = from; k < to; ++k) {
+    const surrogate::OutputParity& output = parity.outputs[k];
+    std::vector<report::ParityPoint> points;
+    for (const surrogate::ParityPoint& point : output.points) {
+      points.push_back({.dem = point.dem_mean,
+                        .network = point.prediction,
+                        .dem_standard_error = point.dem_standard_error,
+                        .is_test = point.role != surrogate::CaseRole::train,
+                        .label = labels.at(point.case_number)});
+    }
+    plots.push_back(report::parity_plot(output.name, output.unit, points));
+  }
+  return plots;
+}
+
+report::Plot learning_plot(const surrogate::Model& model, const std::string& title, std::size_t from, std::size_t to) {
+  constexpr report::Colour colours[] = {report::Colour::blue, report::Colour::vermillion, report::Colour::green,
+                                        report::Colour::purple, report::Colour::orange};
+  report::Plot plot{.title = title,
+                    .x_label = "epoch",
+                    .y_label = "mean squared error [scaled, 1]",
+                    .caption = "Solid: cases learnt from. Dashed: test cases.",
+                    .log_y = true};
+  for (std::size_t k = from; k < to; ++k) {
+    const surrogate::OutputModel& output = model.outputs[k];
+    report::Series train{.name = output.variable.name, .colour = colours[k - from]},
+        test{.name = "", .style = report::Style::dashed, .colour = colours[k - from]};
+    for (const surrogate::LearningPoint& point : output.learning_curve) {
+      train.x.push_back(point.epoch);
+      train.y.push_back(point.train_mse);
+      test.x.push_back(point.epoch);
+      test.y.push_back(point.test_mse);
+    }
+    plot.series.push_back(std::move(train));
+    plot.series.push_back(std::move(test));
+  }
+  return plot;
+}
+
+}  // namespace
+
+void add_learning_curves(report::Page& page, const surrogate::Model& model) {
+  page.plots_in_row({learning_plot(model, "Cutting force x", 0, surrogate::statistics_count),
+                     learning_plot(model, "Axial force y", surrogate::statistics_count, surrogate::output_count)});
+}
+
+void add_parity(report::Page& page, const surrogate::Model& model, const surrogate::TrainingData& data,
+                const surrogate::Parity& parity) {
+  std::map<int, std::string> labels;
+  for (const surrogate::TrainingRow& row : data.rows) {
+    labels[row.case_number] = fmt::format("case {}: {:g} m/s, {:g} mm, {:g}\u00b0", row.case_number, row.inputs[0],
+                                          row.inputs[1], row.inputs[2]);
+  }
+  const std::size_t cases = labels.size();
+  if (cases < enough_cases) {
+    page.note(fmt::format(
+        "Only {} cases: far too few to learn from ({} parameters a network). The networks reproduce the {} cases they "
+        "were trained on; what they say elsewhere, including the {} test cases, is a guess. This page shows the path, "
+        "not a result.",
+        cases, surrogate::parameter_count(model.outputs[0].network.layers), model.provenance.train_cases.size(),
+        model.provenance.test_cases.size()));
+  }
+  report::Table table{.caption =
+                          "Network against DEM. Deviations are relative to the DEM value; the standard error is the "
+                          "DEM's own, over seeds (- with one seed).",
+                      .header = {"output", "unit", "DEM std. error", "RMSE train", "mean dev. train", "max dev. train",
+                                 "RMSE test", "mean dev. test", "max dev. test"}};
+  for (const surrogate::OutputParity& output : parity.outputs) {
+    table.rows.push_back({output.name, output.unit, number(output.all.dem_standard_error), number(output.train.rmse),
+                          percent(output.train.mean_deviation), percent(output.train.max_deviation),
+                          number(output.test.rmse), percent(output.test.mean_deviation),
+                          percent(output.test.max_deviation)});
+  }
+  page.plots_in_row(parity_plots(parity, labels, 0, surrogate::statistics_count),
+                    "Cutting force x: what the network says against what the DEM gave.");
+  page.plots_in_row(parity_plots(parity, labels, surrogate::statistics_count, surrogate::output_count),
+                    "Axial force y: what the network says against what the DEM gave.");
+  page.table(table);
+}
+
+void add_bit_force(report::Page& page, const std::filesystem::path& csv, const std::filesystem::path& json) {
+  const base::CsvTable table = base::read_csv(csv);
+  const std::vector<double>& time = table.column("time_s");
+  std::vector<double> force = table.column("axial_force_N");
+  const std::vector<double>& torque = table.column("torque_N_m");
+  for (double& value : force) value *= 1e-3;
+
+  std::string what = "whole bit";
+  if (!json.empty() && std::filesystem::exists(json)) {
+    const nlohmann::json result = nlohmann::json::parse(base::read_whole(json), nullptr, false);
+    if (result.is_object() && result.contains("bit") && result["bit"].is_string()) {
+      what = fmt::format("{}, {} cutters, {:g} rpm, {:g} m/h ({:.3g} mm per turn)", result.value("bit", ""),
+                         result.value("cutters", 0), result.value("rpm", 0.0), result.value("rop_m_per_h", 0.0),
+                         1e3 * result.value("depth_of_cut_m", 0.0));
+      const auto& clamps = result["clamped"];
+      long long clamped = 0, asked = 0;
+      for (const auto& [reason, count] : clamps.items())
+        (reason == "asked" ? asked : clamped) += count.get<long long>();
+      if (clamped > 0) {
+        page.note(
+            fmt::format("{} of {} questions to the networks lay outside their training range (inner cutters are slower "
+                        "than any simulated cut) and were answered for the nearest edge.",
+                        clamped, asked));
+      }
+    }
+  }
+  const auto last_second = std::lower_bound(time.begin(), time.end(), std::max(0.0, time.back() - 1.0)) - time.begin();
+  const auto tail = [last_second](const std::vector<double>& values) {
+    return std::vector<double>(values.begin() + last_second, values.end());
+  };
+  const auto mean = [](const std::vector<double>& values) { return base::summarise(values).mean; };
+  page.plot({.title = "Axial force, " + what,
+             .x_label = "time [s]",
+             .y_label = "force on bit [kN]",
+             .series = {{.name = "", .x = time, .y = force, .colour = report::Colour::blue}},
+             .caption = fmt::format("Mean {:.3g} kN, largest {:.3g} kN.", mean(force),
+                                    *std::max_element(force.begin(), force.end()))});
+  page.plot({.title = "Torque, " + what,
+             .x_label = "time [s]",
+             .y_label = "torque on bit [N m]",
+             .series = {{.name = "", .x = time, .y = torque, .colour = report::Colour::vermillion}},
+             .caption = fmt::format("Mean {:.4g} N m, largest {:.4g} N m.", mean(torque),
+                                    *std::max_element(torque.begin(), torque.end()))});
+  page.plots_in_row(
+      {{.title = "Axial force, last second",
+        .x_label = "time [s]",
+        .y_label = "force on bit [kN]",
+        .series = {{.name = "", .x = tail(time), .y = tail(force), .colour = report::Colour::blue}}},
+       {.title = "Torque, last second",
+        .x_label = "time [s]",
+        .y_label = "torque on bit [N m]",
+        .series = {{.name = "", .x = tail(time), .y = tail(torque), .colour = report::Colour::vermillion}}}});
+}
+
+}  // namespace cli

@@ -1,0 +1,94 @@
+// bitrock signal: force and torque on a whole bit that turns and advances steadily.
+#include <chrono>
+#include <memory>
+#include <numbers>
+
+#include "base/csv.hpp"
+#include "base/files.hpp"
+#include "cli/command.hpp"
+#include "runtime/bit/constant_speed.hpp"
+#include "surrogate/net/model_file.hpp"
+
+namespace cli {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::string bit_file, model_file, output;
+  double rpm = 0.0, rop_m_per_h = 0.0, duration = 10.0, rate = 1000.0;
+};
+
+void run(const Options& options) {
+  const runtime::Bit bit = runtime::read_bit(options.bit_file);
+  const surrogate::Model model = surrogate::read_model(options.model_file);
+  const runtime::ConstantSpeed drive{.rotation = options.rpm * 2.0 * std::numbers::pi / 60.0,
+                                     .rate_of_penetration = options.rop_m_per_h / 3600.0,
+                                     .duration = options.duration,
+                                     .rate = options.rate};
+  require_json_writable(options.common);
+  base::require_writable(options.output);
+  const auto begin = std::chrono::steady_clock::now();
+  runtime::Signal signal;
+  {
+    Progress progress(options.common, "drilling", "s");
+    signal = runtime::constant_speed_signal(bit, model, drive, progress.callback());
+  }
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  base::write_whole(options.output,
+                    base::csv_text({"time_s", "angle_rad", "axial_force_N", "torque_N_m"},
+                                   {signal.time_s, signal.angle_rad, signal.axial_force_N, signal.torque_N_m}));
+  const runtime::SignalSummary& s = signal.summary;
+  const runtime::ClampTally& clamps = s.clamps;
+  const double times_real_time = options.duration / wall;
+  say(options.common, "{}: {} cutters, {:g} rpm, {:g} m/h, depth of cut {:.4g} mm per turn\n", bit.name,
+      bit.cutters.size(), options.rpm, options.rop_m_per_h, s.depth_of_cut_m * 1e3);
+  say(options.common, "axial force mean {:.4g} kN, max {:.4g} kN; torque mean {:.4g} N m, max {:.4g} N m\n",
+      s.mean_force_N * 1e-3, s.max_force_N * 1e-3, s.mean_torque_N_m, s.max_torque_N_m);
+  if (clamps.clamped() > 0) {
+    say(options.common,
+        "outside the training range, answered for its edge: speed too low {}, too high {}; depth too low {}, too high "
+        "{}; rake too low {}, too high {} (of {} questions)\n",
+        clamps.speed_below, clamps.speed_above, clamps.depth_below, clamps.depth_above, clamps.rake_below,
+        clamps.rake_above, clamps.asked);
+  }
+  say(options.common, "{} samples, {:.0f} times real time -> {}\n", signal.time_s.size(), times_real_time,
+      options.output);
+  write_json(options.common, {{"bit", bit.name},
+                              {"cutters", bit.cutters.size()},
+                              {"rpm", options.rpm},
+                              {"rop_m_per_h", options.rop_m_per_h},
+                              {"mean_force_N", s.mean_force_N},
+                              {"max_force_N", s.max_force_N},
+                              {"mean_torque_N_m", s.mean_torque_N_m},
+                              {"max_torque_N_m", s.max_torque_N_m},
+                              {"depth_of_cut_m", s.depth_of_cut_m},
+                              {"clamped",
+                               {{"asked", clamps.asked},
+                                {"speed_below", clamps.speed_below},
+                                {"speed_above", clamps.speed_above},
+                                {"depth_below", clamps.depth_below},
+                                {"depth_above", clamps.depth_above},
+                                {"rake_below", clamps.rake_below},
+                                {"rake_above", clamps.rake_above}}},
+                              {"samples", signal.time_s.size()},
+                              {"times_real_time", times_real_time}});
+}
+
+}  // namespace
+
+void add_signal(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("signal", "force and torque on a whole bit at steady rpm and ROP");
+  command->add_option("bit", options->bit_file, "bit file, e.g. campaigns/bits/pdc15.toml")->required();
+  command->add_option("--model", options->model_file, "model.json")->required();
+  command->add_option("--rpm", options->rpm, "rotation of the bit")->required();
+  command->add_option("--rop-m-per-h", options->rop_m_per_h, "rate of penetration")->required();
+  command->add_option("--duration-s", options->duration, "how long")->capture_default_str();
+  command->add_option("--rate-hz", options->rate, "samples a second")->capture_default_str();
+  command->add_option("-o,--output", options->output, "CSV file to write")->default_val("signal.csv");
+  add_common(*command, options->common);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace cli

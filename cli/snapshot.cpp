@@ -1,0 +1,42 @@
+// bitrock snapshot: the fracture picture of a cut.
+#include "dem2d/output/snapshot.hpp"
+
+#include <memory>
+
+#include "base/files.hpp"
+#include "cli/command.hpp"
+
+namespace cli {
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  std::string run_file, output;
+  int width_px = 1400;
+};
+
+void run(const Options& options) {
+  const dem2d::RunFile file = dem2d::read_run(options.run_file);
+  require_json_writable(options.common);
+  base::require_writable(options.output);
+  base::write_whole(options.output, dem2d::draw_snapshot(file, options.width_px));
+  say(options.common, "-> {}\n", options.output);
+  write_json(options.common, {{"files", {options.output}}});
+}
+
+}  // namespace
+
+void add_snapshot(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("snapshot", "draw the rock at the end of a cut");
+  command->add_option("run", options->run_file, "run.h5")->required();
+  command->add_option("-o,--output", options->output, "PNG file to write")->default_val("snapshot.png");
+  command->add_option("--width-px", options->width_px, "width of the picture")
+      ->check(CLI::Range(400, 8000))
+      ->capture_default_str();
+  add_common(*command, options->common);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace cli

@@ -1,0 +1,97 @@
+#include "report/parity_plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace report {
+
+namespace {
+
+bool drawable(const ParityPoint& point) {
+  return std::isfinite(point.dem) && std::isfinite(point.network);
+}
+
+double known_error(const ParityPoint& point) {
+  return std::isfinite(point.dem_standard_error) ? point.dem_standard_error : 0.0;
+}
+
+/// Everything with its error bars, and a little air; (0, 1) when there is nothing.
+AxisRange common_range(std::span<const ParityPoint> points) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const ParityPoint& point : points) {
+    if (!drawable(point)) continue;
+    low = std::min({low, point.dem - known_error(point), point.network});
+    high = std::max({high, point.dem + known_error(point), point.network});
+  }
+  if (low > high) return {0.0, 1.0};
+  const double air = high > low ? 0.07 * (high - low) : std::max(0.2 * std::abs(high), 1e-3);
+  return {low - air, high + air};
+}
+
+/// The band turns over at zero, where 15 % of nothing is nothing.
+Series band(const AxisRange& range) {
+  Series series{.name = "within 15 %", .x = {range.low}, .y = {}, .style = Style::band, .colour = Colour::grey};
+  if (range.low < 0.0 && range.high > 0.0) series.x.push_back(0.0);
+  series.x.push_back(range.high);
+  for (const double x : series.x) {
+    series.y.push_back(x - parity_band * std::abs(x));
+    series.upper.push_back(x + parity_band * std::abs(x));
+  }
+  return series;
+}
+
+Series cases(std::span<const ParityPoint> points, bool test) {
+  Series series{.name = test ? "test: not seen in training" : "training",
+                .x = {},
+                .y = {},
+                .style = Style::markers,
+                .colour = test ? Colour::vermillion : Colour::blue,
+                .marker = test ? Marker::diamond : Marker::circle};
+  bool has_error = false;
+  for (const ParityPoint& point : points) {
+    if (point.is_test != test) continue;
+    series.x.push_back(point.dem);
+    series.y.push_back(point.network);
+    series.error_x.push_back(known_error(point));
+    series.labels.push_back(point.label);
+    has_error = has_error || known_error(point) > 0.0;
+  }
+  if (!has_error) series.error_x.clear();
+  return series;
+}
+
+std::string count_inside(std::span<const ParityPoint> points, bool test) {
+  int inside = 0, all = 0;
+  for (const ParityPoint& point : points) {
+    if (point.is_test != test || !drawable(point)) continue;
+    ++all;
+    if (std::abs(point.network - point.dem) <= parity_band * std::abs(point.dem)) ++inside;
+  }
+  return fmt::format("{} {} of {}", test ? "test" : "training", inside, all);
+}
+
+}  // namespace
+
+Plot parity_plot(std::string title, const std::string& unit, std::span<const ParityPoint> points) {
+  const std::string suffix = unit.empty() || unit == "1" ? "" : " [" + unit + "]";
+  const AxisRange range = common_range(points);
+  Plot plot{.title = std::move(title), .x_label = "DEM" + suffix, .y_label = "network" + suffix};
+  plot.series = {band(range),
+                 {.name = "equal", .x = {range.low, range.high}, .y = {range.low, range.high}, .colour = Colour::grey},
+                 cases(points, false),
+                 cases(points, true)};
+  plot.caption = fmt::format("Within {:.0f} %: {}, {}.", 100.0 * parity_band, count_inside(points, false),
+                             count_inside(points, true));
+  plot.equal_axes = true;
+  plot.square = true;
+  plot.x_range = range;
+  plot.y_range = range;
+  return plot;
+}
+
+}  // namespace report

@@ -1,0 +1,28 @@
+#pragma once
+/// The plot that shows how far a network can be trusted: what it says against what the DEM gave, case by case, around
+/// the line where both are equal. Cases the network has learned from and cases it has never seen have their own colour
+/// and symbol, because only the second kind is a test. It draws; it computes no goodness of fit beyond a count.
+
+#include <span>
+#include <string>
+
+#include "report/plot.hpp"
+
+namespace report {
+
+/// Half width of the shaded band: |network - dem| <= 0.15 |dem|. [-]
+inline constexpr double parity_band = 0.15;
+
+struct ParityPoint {
+  double dem = 0.0;                 ///< in the unit of the plot
+  double network = 0.0;             ///< in the unit of the plot
+  double dem_standard_error = 0.0;  ///< in the unit of the plot; 0 or NaN: not known, no error bar
+  bool is_test = false;             ///< kept away from training
+  std::string label = {};           ///< shown when the pointer rests on the point
+};
+
+/// DEM along x with its standard error, network along y, both axes alike. An empty `unit` or "1" is left out of the
+/// labels. The caption counts the points inside the band; a point with a value that is not finite is not counted.
+Plot parity_plot(std::string title, const std::string& unit, std::span<const ParityPoint> points);
+
+}  // namespace report

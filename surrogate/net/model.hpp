@@ -1,0 +1,129 @@
+#pragma once
+/// The force model of one cutter in one rock: ten small networks with the names, units, training range and scaling of
+/// what goes in and comes out. `predict` answers, for one set of cutting conditions, the five peak statistics of the
+/// force in the cutting direction x and in the axial direction y. It does not rebuild force histories (runtime/), does
+/// not learn (surrogate/train/), and reading and writing are in `model_file.hpp`.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "surrogate/net/network.hpp"
+
+namespace surrogate {
+
+/// One input or output. In the unit of the file, because a model file is a door: scaled = (value - offset) / scale.
+struct Variable {
+  std::string name;     ///< as in features.csv, ends in its unit
+  std::string unit;     ///< as in the name
+  double low = 0.0;     ///< smallest value seen in training, in `unit`
+  double high = 0.0;    ///< largest value seen in training, in `unit`
+  double offset = 0.0;  ///< in `unit`
+  double scale = 1.0;   ///< in `unit`, above 0
+};
+
+struct LearningPoint {
+  int epoch = 0;           ///< 1 is after the first pass through the training rows
+  double train_mse = 0.0;  ///< mean squared error over all training rows, scaled units
+  double test_mse = 0.0;   ///< the same over the test rows
+};
+
+/// One output: its scaling, its network, how it was learnt.
+struct OutputModel {
+  Variable variable;
+  Network network;
+  int restarts = 0;                           ///< dead networks drawn or trained before this one
+  std::vector<LearningPoint> learning_curve;  ///< at most 200 points, the last epoch among them
+};
+
+/// Where a model came from: enough to train it again to the same bits.
+struct Provenance {
+  std::string data_file;            ///< file name without folder
+  std::string data_fingerprint;     ///< `base::fingerprint_text` of the file
+  std::string initial_fingerprint;  ///< of the model file a warm start began from; empty: a random start
+  std::uint64_t seed = 0;           ///< of initial weights and batch order
+  std::uint64_t split_seed = 0;     ///< of the choice of test cases
+  double split = 0.0;               ///< fraction of the cases used for training
+  bool shuffle = true;              ///< false: file order, the last cases are the test set
+  int epochs = 0;
+  int batch = 0;                 ///< rows a step
+  double learning_rate = 0.0;    ///< [1]
+  std::vector<int> train_cases;  ///< ascending case numbers
+  std::vector<int> test_cases;   ///< ascending case numbers
+  std::string bitrock_version;
+};
+
+inline constexpr int input_count = 3;
+inline constexpr int output_count = 10;
+inline constexpr int statistics_count = 5;  ///< outputs of one direction
+
+/// Name and unit every model has at each place; `si_per_unit` turns file units into SI.
+struct VariableName {
+  std::string_view name;
+  std::string_view unit;
+  double si_per_unit;
+};
+
+inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+
+inline constexpr std::array<VariableName, input_count> input_names{{
+    {"cutter_speed_m_per_s", "m/s", 1.0},
+    {"depth_of_cut_mm", "mm", 1e-3},
+    {"back_rake_deg", "deg", radians_per_degree},
+}};
+
+/// x first, then y. Peak counts are per metre of cut, so that they do not depend on how long a cut was simulated.
+inline constexpr std::array<VariableName, output_count> output_names{{
+    {"x_amax_N_per_m", "N/m", 1.0},
+    {"x_amean_N_per_m", "N/m", 1.0},
+    {"x_np1_per_m", "1/m", 1.0},
+    {"x_np23_per_m", "1/m", 1.0},
+    {"x_np4_per_m", "1/m", 1.0},
+    {"y_amax_N_per_m", "N/m", 1.0},
+    {"y_amean_N_per_m", "N/m", 1.0},
+    {"y_np1_per_m", "1/m", 1.0},
+    {"y_np23_per_m", "1/m", 1.0},
+    {"y_np4_per_m", "1/m", 1.0},
+}};
+
+struct Model {
+  std::array<Variable, input_count> inputs;       ///< in the order of `input_names`
+  std::array<OutputModel, output_count> outputs;  ///< in the order of `output_names`
+  std::string rock;                               ///< which rock, for people
+  Provenance provenance;
+};
+
+struct CutConditions {
+  double cutter_speed = 0.0;  ///< [m/s] along the rock surface
+  double depth_of_cut = 0.0;  ///< [m]
+  double back_rake = 0.0;     ///< [rad]
+};
+
+/// Peak statistics of one force component [BitRock2026, sec. 3.2]. Forces are per metre of thickness
+/// out of the plane of cutting.
+struct PeakStatisticsPrediction {
+  double amax = 0.0;   ///< [N/m] height of the highest peak
+  double amean = 0.0;  ///< [N/m] mean height of all peaks
+  double np1 = 0.0;    ///< [1/m] peaks above 75 % of amax, per metre of cut
+  double np23 = 0.0;   ///< [1/m] peaks of 25 % to 75 % of amax, per metre of cut
+  double np4 = 0.0;    ///< [1/m] peaks below 25 % of amax, per metre of cut
+};
+
+struct Prediction {
+  PeakStatisticsPrediction x;  ///< cutting direction
+  PeakStatisticsPrediction y;  ///< axial direction, out of the rock
+  bool inside_training_range = false;
+};
+
+/// Takes no memory, does not throw, does not clamp: outside the training range it extrapolates and says so.
+/// Not-a-number in gives not-a-number out, flagged as outside. The model must come from `read_model` or `train`: its
+/// shapes are not checked again.
+Prediction predict(const Model& model, const CutConditions& conditions);
+
+/// The nearest conditions inside the training box. What lies inside, or outside by no more than the rounding of a unit
+/// conversion (1e-9 of the bound), comes back unchanged.
+CutConditions clamped_to_training_range(const Model& model, CutConditions conditions);
+
+}  // namespace surrogate

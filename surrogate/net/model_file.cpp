@@ -1,0 +1,257 @@
+#include "surrogate/net/model_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "surrogate/net/json_place.hpp"
+
+namespace surrogate {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr double largest_double = std::numeric_limits<double>::max();
+constexpr int largest_int = std::numeric_limits<int>::max();
+
+/// Indented like the JSON library would, but with each list of plain values on one line: a row of weights is a row.
+void print(const OrderedJson& value, std::size_t depth, std::string& text) {
+  const bool nested = std::any_of(value.begin(), value.end(), [](const auto& entry) { return entry.is_structured(); });
+  if (!value.is_object() && !(value.is_array() && nested)) {
+    // Text that is not UTF-8 (a rock name from elsewhere) must not stop the writing of a trained model.
+    text += value.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+    return;
+  }
+  const std::string indent(2 * depth, ' ');
+  text += value.is_object() ? "{" : "[";
+  const char* separator = "\n";
+  for (const auto& [key, entry] : value.items()) {
+    text += separator + indent + "  ";
+    if (value.is_object()) text += OrderedJson(key).dump() + ": ";
+    print(entry, depth + 1, text);
+    separator = ",\n";
+  }
+  text += "\n" + indent + (value.is_object() ? "}" : "]");
+}
+
+OrderedJson variable_json(const Variable& variable) {
+  return {{"name", variable.name}, {"unit", variable.unit},     {"low", variable.low},
+          {"high", variable.high}, {"offset", variable.offset}, {"scale", variable.scale}};
+}
+
+OrderedJson output_json(const OutputModel& output) {
+  OrderedJson weights = OrderedJson::array(), biases = OrderedJson::array();
+  for (int k = 1; k < static_cast<int>(output.network.layers.size()); ++k) {
+    const Layer seen = layer(output.network, k);
+    OrderedJson rows = OrderedJson::array();
+    for (Eigen::Index o = 0; o < seen.weights.rows(); ++o) {
+      const double* row = seen.weights.data() + o * seen.weights.cols();
+      rows.push_back(std::vector<double>(row, row + seen.weights.cols()));
+    }
+    weights.push_back(rows);
+    biases.push_back(std::vector<double>(seen.biases.data(), seen.biases.data() + seen.biases.size()));
+  }
+  OrderedJson json = variable_json(output.variable);
+  json["restarts"] = output.restarts;
+  json["layers"] = output.network.layers;
+  json["weights"] = weights;
+  json["biases"] = biases;
+  return json;
+}
+
+OrderedJson provenance_json(const Provenance& provenance) {
+  return {{"data_file", provenance.data_file},
+          {"data_fingerprint", provenance.data_fingerprint},
+          {"initial_fingerprint", provenance.initial_fingerprint},
+          {"seed", provenance.seed},
+          {"split_seed", provenance.split_seed},
+          {"split", provenance.split},
+          {"shuffle", provenance.shuffle},
+          {"epochs", provenance.epochs},
+          {"batch", provenance.batch},
+          {"learning_rate", provenance.learning_rate},
+          {"train_cases", provenance.train_cases},
+          {"test_cases", provenance.test_cases},
+          {"bitrock_version", provenance.bitrock_version}};
+}
+
+OrderedJson curve_json(const std::vector<LearningPoint>& curve) {
+  OrderedJson epochs = OrderedJson::array(), train = OrderedJson::array(), test = OrderedJson::array();
+  for (const LearningPoint& point : curve) {
+    epochs.push_back(point.epoch);
+    train.push_back(point.train_mse);
+    test.push_back(point.test_mse);
+  }
+  return {{"epoch", epochs}, {"train_mse", train}, {"test_mse", test}};
+}
+
+// Reading, in the order of writing.
+
+const std::vector<std::string> variable_keys{"name", "unit", "low", "high", "offset", "scale"};
+
+Variable read_variable(const JsonPlace& place, const VariableName& expected) {
+  Variable variable;
+  variable.name = place.at("name").text();
+  if (variable.name != expected.name) place.at("name").refuse(fmt::format("must be {} here", expected.name));
+  variable.unit = place.at("unit").text();
+  if (variable.unit != expected.unit) place.at("unit").refuse(fmt::format("must be {}", expected.unit));
+  variable.low = place.at("low").number();
+  variable.high = place.at("high").number();
+  if (variable.high < variable.low) place.at("high").refuse(fmt::format("must be at least low = {}", variable.low));
+  variable.offset = place.at("offset").number();
+  variable.scale = place.at("scale").number();
+  if (variable.scale <= 0.0) place.at("scale").refuse("must be above 0");
+  return variable;
+}
+
+void read_parameters(const JsonPlace& list, int count, std::vector<double>& parameters) {
+  list.list_of(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    parameters.push_back(list.at(i).number_from(-largest_parameter, largest_parameter));
+  }
+}
+
+Network read_network(const JsonPlace& place) {
+  Network network;
+  network.layers = place.at("layers").whole_numbers();
+  const std::string problem = layers_problem(network.layers);
+  if (!problem.empty()) place.at("layers").refuse(problem);
+  if (network.layers.front() != input_count || network.layers.back() != 1) {
+    place.at("layers").refuse(fmt::format("must begin with {} inputs and end with 1 output", input_count));
+  }
+  const JsonPlace weights = place.at("weights"), biases = place.at("biases");
+  weights.list_of(network.layers.size() - 1);
+  biases.list_of(network.layers.size() - 1);
+  for (std::size_t k = 0; k + 1 < network.layers.size(); ++k) {
+    const int inputs = network.layers[k], outputs = network.layers[k + 1];
+    const JsonPlace rows = weights.at(k);
+    rows.list_of(static_cast<std::size_t>(outputs));
+    for (std::size_t o = 0; o < static_cast<std::size_t>(outputs); ++o) {
+      read_parameters(rows.at(o), inputs, network.parameters);
+    }
+    read_parameters(biases.at(k), outputs, network.parameters);
+  }
+  return network;
+}
+
+OutputModel read_output(const JsonPlace& place, const VariableName& expected) {
+  std::vector<std::string> keys = variable_keys;
+  keys.insert(keys.end(), {"restarts", "layers", "weights", "biases"});
+  place.only(keys);
+  OutputModel output;
+  output.variable = read_variable(place, expected);
+  output.restarts = static_cast<int>(place.at("restarts").whole_up_to(largest_int));
+  output.network = read_network(place);
+  return output;
+}
+
+Provenance read_provenance(const JsonPlace& place) {
+  place.only({"data_file", "data_fingerprint", "initial_fingerprint", "seed", "split_seed", "split", "shuffle",
+              "epochs", "batch", "learning_rate", "train_cases", "test_cases", "bitrock_version"});
+  constexpr std::uint64_t any_seed = std::numeric_limits<std::uint64_t>::max();
+  Provenance provenance;
+  provenance.data_file = place.at("data_file").text();
+  provenance.data_fingerprint = place.at("data_fingerprint").text();
+  provenance.initial_fingerprint = place.at("initial_fingerprint").text();
+  provenance.seed = place.at("seed").whole_up_to(any_seed);
+  provenance.split_seed = place.at("split_seed").whole_up_to(any_seed);
+  provenance.split = place.at("split").number_from(0.0, 1.0);
+  provenance.shuffle = place.at("shuffle").flag();
+  provenance.epochs = static_cast<int>(place.at("epochs").whole_up_to(largest_int));
+  provenance.batch = static_cast<int>(place.at("batch").whole_up_to(largest_int));
+  provenance.learning_rate = place.at("learning_rate").number_from(0.0, largest_double);
+  provenance.train_cases = place.at("train_cases").whole_numbers();
+  provenance.test_cases = place.at("test_cases").whole_numbers();
+  for (const char* key : {"train_cases", "test_cases"}) {
+    const std::vector<int> cases = place.at(key).whole_numbers();
+    if (!std::is_sorted(cases.begin(), cases.end())) place.at(key).refuse("must be ascending");
+  }
+  provenance.bitrock_version = place.at("bitrock_version").text();
+  return provenance;
+}
+
+std::vector<LearningPoint> read_curve(const JsonPlace& place) {
+  place.only({"epoch", "train_mse", "test_mse"});
+  const std::vector<int> epochs = place.at("epoch").whole_numbers();
+  const JsonPlace train = place.at("train_mse"), test = place.at("test_mse");
+  train.list_of(epochs.size());
+  test.list_of(epochs.size());
+  std::vector<LearningPoint> curve;
+  for (std::size_t i = 0; i < epochs.size(); ++i) {
+    curve.push_back({.epoch = epochs[i],
+                     .train_mse = train.at(i).number_from(0.0, largest_double),
+                     .test_mse = test.at(i).number_from(0.0, largest_double)});
+  }
+  return curve;
+}
+
+nlohmann::json parse(std::string_view text, const std::string& name) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    const std::string_view all = error.what();  // "[json.exception.parse_error.101] parse error at line 3, ..."
+    const std::size_t prefix = all.find("] ");
+    throw base::InputError(fmt::format("{}: not a whole JSON file: {} (was it cut short?)", name,
+                                       prefix == std::string_view::npos ? all : all.substr(prefix + 2)));
+  }
+}
+
+}  // namespace
+
+std::string model_text(const Model& model) {
+  OrderedJson json{{"format", model_format}, {"format_version", model_format_version}, {"rock", model.rock}};
+  OrderedJson curves = OrderedJson::object();
+  for (const Variable& input : model.inputs) json["inputs"].push_back(variable_json(input));
+  for (const OutputModel& output : model.outputs) {
+    json["outputs"].push_back(output_json(output));
+    curves[output.variable.name] = curve_json(output.learning_curve);
+  }
+  json["provenance"] = provenance_json(model.provenance);
+  json["learning_curves"] = curves;
+  std::string text;
+  print(json, 0, text);
+  return text + "\n";
+}
+
+Model model_from_text(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parse(text, name);
+  const JsonPlace root(json, name);
+  if (root.at("format").text() != model_format) root.at("format").refuse(fmt::format("must be {}", model_format));
+  if (root.at("format_version").whole_up_to(largest_int) != model_format_version) {
+    root.at("format_version").refuse(fmt::format("this bitrock reads version {}", model_format_version));
+  }
+  root.only({"format", "format_version", "rock", "inputs", "outputs", "provenance", "learning_curves"});
+
+  Model model;
+  model.rock = root.at("rock").text();
+  root.at("inputs").list_of(input_count);
+  for (std::size_t i = 0; i < input_count; ++i) {
+    root.at("inputs").at(i).only(variable_keys);
+    model.inputs[i] = read_variable(root.at("inputs").at(i), input_names[i]);
+  }
+  root.at("outputs").list_of(output_count);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < output_count; ++i) {
+    model.outputs[i] = read_output(root.at("outputs").at(i), output_names[i]);
+    model.outputs[i].learning_curve = read_curve(root.at("learning_curves").at(std::string(output_names[i].name)));
+    names.emplace_back(output_names[i].name);
+  }
+  root.at("learning_curves").only(names);
+  model.provenance = read_provenance(root.at("provenance"));
+  return model;
+}
+
+Model read_model(const std::filesystem::path& path) {
+  return model_from_text(base::read_whole(path), path.string());
+}
+
+void write_model(const std::filesystem::path& path, const Model& model) {
+  base::write_whole(path, model_text(model));
+}
+
+}  // namespace surrogate

@@ -1,0 +1,80 @@
+#include "surrogate/net/network.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.hpp"
+
+namespace surrogate {
+
+std::string layers_problem(std::span<const int> layers) {
+  if (layers.size() < 2 || layers.size() > most_layers) {
+    return fmt::format("{} layers (2 to {} are allowed)", layers.size(), most_layers);
+  }
+  for (const int width : layers) {
+    if (width < 1 || width > widest_layer) {
+      return fmt::format("a layer of {} nodes (1 to {} are allowed)", width, widest_layer);
+    }
+  }
+  return {};
+}
+
+std::size_t layer_offset(std::span<const int> layers, int k) {
+  std::size_t offset = 0;
+  for (int i = 1; i < k; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    offset += static_cast<std::size_t>(layers[at]) * (static_cast<std::size_t>(layers[at - 1]) + 1);
+  }
+  return offset;
+}
+
+std::size_t parameter_count(std::span<const int> layers) {
+  return layer_offset(layers, static_cast<int>(layers.size()));
+}
+
+Layer layer(const Network& network, int k) {
+  const int outputs = network.layers[static_cast<std::size_t>(k)];
+  const int inputs = network.layers[static_cast<std::size_t>(k) - 1];
+  const double* first = network.parameters.data() + layer_offset(network.layers, k);
+  return {Eigen::Map<const RowMajorMatrix>(first, outputs, inputs),
+          Eigen::Map<const Eigen::VectorXd>(first + outputs * inputs, outputs)};
+}
+
+void initialise(Network& network, base::Random& random) {
+  const std::string problem = layers_problem(network.layers);
+  if (!problem.empty()) throw base::InputError("the network has " + problem);
+  network.parameters.clear();
+  network.parameters.reserve(parameter_count(network.layers));
+  for (std::size_t k = 1; k < network.layers.size(); ++k) {
+    const int inputs = network.layers[k - 1], outputs = network.layers[k];
+    const double deviation = std::sqrt(2.0 / inputs);
+    for (int i = 0; i < outputs * inputs; ++i) network.parameters.push_back(deviation * base::normal(random));
+    network.parameters.insert(network.parameters.end(), static_cast<std::size_t>(outputs), 0.0);
+  }
+}
+
+void forward(const Network& network, std::span<const double> input, std::span<double> output) {
+  std::array<double, widest_layer> buffers[2];
+  double* from = buffers[0].data();  // a[k-1]
+  double* to = buffers[1].data();    // a[k]
+  std::copy(input.begin(), input.end(), from);
+  const double* weight = network.parameters.data();
+  for (std::size_t k = 1; k < network.layers.size(); ++k) {
+    const int inputs = network.layers[k - 1], outputs = network.layers[k];
+    const double* bias = weight + outputs * inputs;
+    for (int o = 0; o < outputs; ++o) {
+      double z = bias[o];
+      for (int i = 0; i < inputs; ++i) z += *weight++ * from[i];
+      to[o] = rectified(z);
+    }
+    weight = bias + outputs;
+    std::swap(from, to);
+  }
+  std::copy_n(from, output.size(), output.begin());
+}
+
+}  // namespace surrogate

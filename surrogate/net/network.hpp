@@ -1,0 +1,72 @@
+#pragma once
+/// A small dense network with rectified linear units. It exists because the surrogate needs nothing more, and because
+/// a real-time caller needs a forward pass that takes no memory. All parameters lie in ONE flat vector, so saving,
+/// copying, exporting and optimising are each one loop. It knows nothing of units and scaling (`model.hpp`), files
+/// (`model_file.hpp`) or learning (`surrogate/train/`).
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/random.hpp"
+
+namespace surrogate {
+
+/// **What** Layer k = 1..K maps a[k-1] to a[k], with the rectifier on every layer, the output included.
+/// **Equation** a[k] = max(0, W[k] a[k-1] + b[k]), a[0] = input, a[K] = output.
+/// **Symbols** W[k] (n[k] x n[k-1]), b[k] (n[k]), a[k] (n[k]); all dimensionless.
+/// **Source** [BitRock2026, sec. 3.2, fig. 3]: 3 inputs, hidden layers of 4, 6 and 3 nodes, 1 output, rectified
+/// linear units on all layers. [NairHinton2010] for the unit.
+/// **Validity** The output is never negative, which fits amplitudes and counts; a network whose output unit is off for
+/// every input is dead (no gradient reaches its weights) and cannot recover.
+struct Network {
+  std::vector<int> layers{3, 4, 6, 3, 1};  ///< n[0], n[1], ..., n[K]
+  /// For k = 1..K: W[k] row by row (n[k] x n[k-1]), then b[k] (n[k]).
+  std::vector<double> parameters;
+};
+
+/// Limits that let `forward` work in fixed arrays on the stack. Ten times the article's widest layer.
+inline constexpr int widest_layer = 64;
+inline constexpr int most_layers = 16;  ///< entries of `Network::layers`, input and output included
+
+/// Empty when a network of these layers can be built, otherwise what is wrong with them.
+std::string layers_problem(std::span<const int> layers);
+
+/// Sum over k of n[k] (n[k-1] + 1). 71 for 3-4-6-3-1.
+std::size_t parameter_count(std::span<const int> layers);
+
+using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// One layer seen inside the flat vector.
+struct Layer {
+  Eigen::Map<const RowMajorMatrix> weights;  ///< W[k] (n[k] x n[k-1])
+  Eigen::Map<const Eigen::VectorXd> biases;  ///< b[k] (n[k])
+};
+
+/// Layer k of K, k = 1..K. The maps live as long as the network's parameters do not move.
+Layer layer(const Network& network, int k);
+
+/// First place of layer k in the flat vector.
+std::size_t layer_offset(std::span<const int> layers, int k);
+
+/// **What** Random start for rectified units: keeps the size of signals from layer to layer.
+/// **Equation** W[k] ~ N(0, 2 / n[k-1]), b[k] = 0.
+/// **Source** [HeEtAl2015, eq. 10]. The article does not name its initialiser; Keras' default differs (uniform,
+/// scaled for symmetric units).
+/// Sizes `parameters` to the layers; draws in the order of the flat vector. Throws `InputError` for layers that
+/// `layers_problem` refuses.
+void initialise(Network& network, base::Random& random);
+
+/// z < 0 becomes 0; not-a-number stays what it is, so that a broken input shows in the output.
+inline double rectified(double z) {
+  return z < 0.0 ? 0.0 : z;
+}
+
+/// Forward pass of one input (n[0]) to one output (n[K]). Takes no memory and does not throw. Each sum starts at the
+/// bias and runs over the inputs in order: the bits do not depend on vector width, and an export can reproduce them.
+/// The network must satisfy `layers_problem` and have its `parameter_count`.
+void forward(const Network& network, std::span<const double> input, std::span<double> output);
+
+}  // namespace surrogate

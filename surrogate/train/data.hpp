@@ -1,0 +1,41 @@
+#pragma once
+/// What the networks learn from: the peak statistics of many cuts, read from features.csv (one row a case and seed) or
+/// features_mean.csv (one row a case). Any CSV with these columns will do, so data from another DEM code or from a test
+/// rig can be used. Reads and checks; neither scales (`scaling.hpp`) nor splits (`split.hpp`).
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "surrogate/net/model.hpp"
+
+namespace surrogate {
+
+/// One cut, in the units of the file, in the order of `input_names` and `output_names`.
+struct TrainingRow {
+  int case_number = 0;
+  long long seed = 0;                          ///< of the rock; 0 when the file has no seeds
+  std::array<double, input_count> inputs{};    ///< [m/s], [mm], [deg]
+  std::array<double, output_count> outputs{};  ///< [N/m], and peak counts divided by the length of cut [1/m]
+  int line = 0;                                ///< in the file
+};
+
+struct TrainingData {
+  std::string file;         ///< name without folder
+  std::string fingerprint;  ///< `base::fingerprint_text` of the file's bytes
+  bool has_seeds = false;   ///< the file has a seed column
+  std::vector<TrainingRow> rows;
+};
+
+/// Needs the columns case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, and for x and y
+/// {amax_N_per_m, amean_N_per_m, np1, np23, np4}; takes seed when there; ignores all others (standard errors, ...).
+/// Throws `base::InputError` with file and line for: a case or seed that is no whole number, speed, depth or length of
+/// cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts, a case and seed that come twice
+/// (without seeds: a case that comes twice), one case with two conditions, fewer than two cases.
+TrainingData read_training_data(const std::filesystem::path& path);
+
+/// Each case number once, in the order of the rows.
+std::vector<int> case_numbers(const TrainingData& data);
+
+}  // namespace surrogate

@@ -1,0 +1,29 @@
+#pragma once
+/// Names, training range and scaling of inputs and outputs, taken from the training rows alone: the test rows must not
+/// lend the networks anything, not even their range.
+///
+/// **Equation** inputs: scaled = (value - low) / (high - low), in [0, 1] on the training rows;
+/// outputs: scaled = value / high, so that zero stays zero and the scaled output, never negative, fits a rectified
+/// unit. A column that is constant (inputs) or all zero (outputs) gets scale 1.
+/// **Source** [BitRock2026, sec. 3.2] says only that the data were scaled.
+
+#include <array>
+#include <span>
+
+#include "surrogate/net/model.hpp"
+#include "surrogate/train/data.hpp"
+
+namespace surrogate {
+
+/// Both need at least one row.
+std::array<Variable, input_count> input_variables(std::span<const TrainingRow> train_rows);
+std::array<Variable, output_count> output_variables(std::span<const TrainingRow> train_rows);
+
+/// For a warm start: names and scaling of `kept`, range widened to hold `seen` too.
+Variable with_wider_range(Variable kept, const Variable& seen);
+
+inline double scaled(const Variable& variable, double value) {
+  return (value - variable.offset) / variable.scale;
+}
+
+}  // namespace surrogate

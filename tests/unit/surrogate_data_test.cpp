@@ -1,0 +1,121 @@
+// Training data: what is read, what is divided by the length of cut, and every message a user can get.
+#include "surrogate/train/data.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/text.hpp"
+#include "tests/unit/surrogate_fixture.hpp"
+
+namespace {
+
+using surrogate::TrainingData;
+using surrogate_fixture::features_header;
+using surrogate_fixture::read_text;
+
+const std::string row_1_1 = "1,1,0.5,2,15,0.05,0.1,1000,400,3,7,10,500,200,2,5,9\n";
+const std::string row_1_2 = "1,2,0.5,2,15,0.04,0.1,1100,410,4,6,10,510,210,3,5,9\n";
+const std::string row_2_1 = "2,1,1.5,2,15,0.15,0.1,1000,400,3,7,10,500,200,2,5,9\n";
+
+/// The message for a file of these rows, from its name on; the file is features.csv.
+std::string message(const std::string& text) {
+  const std::string all = surrogate_fixture::refusal([&] { read_text(text); });
+  const std::size_t name = all.find("features.csv");
+  return name == std::string::npos ? all : all.substr(name);
+}
+
+TEST(SurrogateData, ReadsRowsAndTakesCountsPerMetre) {
+  const std::string text = features_header + row_1_1 + row_1_2 + row_2_1;
+  const TrainingData data = read_text(text);
+  EXPECT_EQ(data.file, "features.csv");
+  EXPECT_EQ(data.fingerprint, base::fingerprint_text(text));
+  EXPECT_TRUE(data.has_seeds);
+  ASSERT_EQ(data.rows.size(), 3u);
+  EXPECT_EQ(data.rows[1].case_number, 1);
+  EXPECT_EQ(data.rows[1].seed, 2);
+  EXPECT_EQ(data.rows[1].line, 3);
+  EXPECT_EQ(data.rows[0].inputs, (std::array<double, 3>{0.5, 2.0, 15.0}));
+  EXPECT_EQ(data.rows[0].outputs,
+            (std::array<double, 10>{1000, 400, 3 / 0.05, 7 / 0.05, 10 / 0.05, 500, 200, 2 / 0.05, 5 / 0.05, 9 / 0.05}));
+  EXPECT_EQ(surrogate::case_numbers(data), (std::vector<int>{1, 2}));
+}
+
+TEST(SurrogateData, TakesAMeanFileWithoutSeedsAndWithOtherColumnsInOtherOrder) {
+  const TrainingData data = read_text(
+      "depth_of_cut_mm,case,cutter_speed_m_per_s,back_rake_deg,cut_length_m,x_amax_N_per_m,"
+      "x_amax_N_per_m_standard_error,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,"
+      "y_np4,seeds\n"
+      "2,8,0.5,-10,0.5,11,0.7,12,13,14,15,16,17,18,19,20,3\n"
+      "3,9,0.5,-10,0.5,11,0.7,12,13,14,15,16,17,18,19,20,3\n");
+  EXPECT_FALSE(data.has_seeds);
+  EXPECT_EQ(data.rows[0].inputs, (std::array<double, 3>{0.5, 2.0, -10.0}));
+  EXPECT_EQ(data.rows[0].outputs, (std::array<double, 10>{11, 12, 26, 28, 30, 16, 17, 36, 38, 40}));
+}
+
+TEST(SurrogateData, ColumnsAndNumbersMustBeThere) {
+  EXPECT_EQ(message("case,seed\n1,1\n2,1\n"),
+            "features.csv: column cutter_speed_m_per_s is missing (the file has: case, seed)");
+  std::string renamed = features_header + row_1_1 + row_2_1;
+  renamed.replace(renamed.find("cut_length_m"), 12, "cutlength_mm");
+  EXPECT_EQ(message(renamed), "features.csv: column cut_length_m is missing (the nearest one there is cutlength_mm)");
+  EXPECT_EQ(message(features_header), "features.csv: only a header (at least one row is needed)");
+  EXPECT_EQ(message(features_header + "1,1,0.5,2,x,0.05,0.1,1000,400,3,7,10,500,200,2,5,9\n"),
+            "features.csv:2: column back_rake_deg: 'x' is not a number");
+  EXPECT_EQ(message(features_header + "1,1,0.5,2,15,0.05,0.1,nan,400,3,7,10,500,200,2,5,9\n"),
+            "features.csv:2: column x_amax_N_per_m: nan (only finite numbers are allowed)");
+}
+
+TEST(SurrogateData, ARowCutShortIsRefused) {
+  const std::string text = features_header + row_1_1 + row_1_2 + row_2_1;
+  const std::size_t last_row = features_header.size() + row_1_1.size() + row_1_2.size();
+  const std::size_t last_cell = text.rfind(',');
+  for (std::size_t length = last_row + 1; length <= last_cell; ++length) {
+    EXPECT_NE(message(text.substr(0, length)).find("features.csv:4: "), std::string::npos) << length;
+  }
+  for (std::size_t length = 0; length <= features_header.size(); length += 5) {
+    EXPECT_EQ(message(text.substr(0, length)).find("features.csv: "), 0u) << length;
+  }
+}
+
+TEST(SurrogateData, ValuesOutOfRangeCarryTheirLine) {
+  const auto with_row = [](const std::string& row) { return message(features_header + row_1_1 + row); };
+  EXPECT_EQ(with_row("2,1,1.5,2,15,0,0.1,1000,400,3,7,10,500,200,2,5,9\n"),
+            "features.csv:3: cut_length_m = 0 (must be above 0)");
+  EXPECT_EQ(with_row("2,1,1.5,2,15,0.1,0.1,-5,400,3,7,10,500,200,2,5,9\n"),
+            "features.csv:3: x_amax_N_per_m = -5 (must be at least 0)");
+  EXPECT_EQ(with_row("2,1,1.5,2,15,0.1,0.1,5,4,3,7,10,500,200,2,-1,9\n"),
+            "features.csv:3: y_np23 = -1 (must be at least 0)");
+  EXPECT_EQ(with_row("2,1,0,2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
+            "features.csv:3: cutter_speed_m_per_s = 0 (must be above 0)");
+  EXPECT_EQ(with_row("2,1,1,-2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
+            "features.csv:3: depth_of_cut_mm = -2 (must be above 0)");
+  EXPECT_EQ(with_row("2,1,1,2,90,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
+            "features.csv:3: back_rake_deg = 90 (must be above -90 and below 90)");
+  EXPECT_EQ(with_row("2.5,1,1,2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
+            "features.csv:3: case = 2.5 (must be a whole number)");
+  EXPECT_EQ(with_row("-2,1,1,2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
+            "features.csv:3: case = -2 (must be at least 0 and at most 2147483647)");
+  EXPECT_EQ(with_row("2,0.5,1,2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
+            "features.csv:3: seed = 0.5 (must be a whole number)");
+  EXPECT_EQ(with_row("2,1,1,2,15,1e-300,0.1,5,4,3,7,1e300,500,200,2,1,9\n"),
+            "features.csv:3: x_np4 = 1e+300 over cut_length_m = 1e-300 is not finite");
+}
+
+TEST(SurrogateData, RowsMustAgreeWithEachOther) {
+  EXPECT_EQ(message(features_header + row_1_1 + row_2_1 + row_1_1),
+            "features.csv:4: case 1, seed 1 comes twice (first in line 2)");
+  EXPECT_EQ(message(features_header + row_1_1 + "1,2,0.5,2,20,0.05,0.1,1000,400,3,7,10,500,200,2,5,9\n" + row_2_1),
+            "features.csv:3: case 1 has back_rake_deg = 20 (line 2 has 15; all rows of a case must agree)");
+  EXPECT_EQ(message(features_header + row_1_1 + row_1_2),
+            "features.csv:3: only one case (at least 2 are needed: one to learn from, one to test)");
+}
+
+TEST(SurrogateData, WithoutSeedsACaseMayComeOnce) {
+  const std::string header =
+      "case,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,x_amax_N_per_m,x_amean_N_per_m,x_np1,x_"
+      "np23,"
+      "x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4\n";
+  const std::string row = "4,1,2,15,0.1,5,4,3,7,10,500,200,2,1,9\n";
+  EXPECT_EQ(message(header + row + row), "features.csv:3: case 4 comes twice (first in line 2)");
+}
+
+}  // namespace
