@@ -1,0 +1,39 @@
+#pragma once
+/// A whole bit as a list of cutters, and its file. A bit here is geometry and the settings of its signal; it has no
+/// rock, no mass and no motion.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/config.hpp"
+#include "runtime/signal/peak_window.hpp"
+
+namespace runtime {
+
+struct Cutter {
+  int number = 0;          ///< part of the address of its random draws; 1-based place in the file
+  double radius = 0.0;     ///< [m] of the circle its middle runs on
+  double width = 0.0;      ///< [m] effective width: turns force per metre into force
+  double back_rake = 0.0;  ///< [rad] tilt of its face against the normal of the rock, positive leaning back
+};
+
+/// One cutter a track ("single-set"): each cutter removes the whole advance of one turn on its own ring. The widths
+/// then add up to the radius of the bit.
+struct Bit {
+  std::string name;
+  double diameter = 0.0;  ///< [m]
+  SignalSettings signal;
+  std::vector<Cutter> cutters;
+};
+
+/// Defaults of the signal. A sixth of a turn is 113 mm of cut at the gauge of a 216 mm bit and some 20 mm near its
+/// centre, about the length of a simulated cut; amax grows with that length, so windows should not be far from it.
+inline constexpr double default_window_angle_deg = 60.0;
+
+/// Throws `InputError` with file, line and key: no cutter, a radius of 0 or beyond the bit's, a width not above 0, an
+/// unknown word or key.
+Bit read_bit(base::ConfigFile& file);
+Bit read_bit(const std::filesystem::path& path);
+
+}  // namespace runtime

@@ -1,0 +1,46 @@
+#pragma once
+/// The load history of a bit that turns and advances steadily: what a user feeds to another simulation, and the
+/// simplest way to look at a bit. No drill string, hence no vibration.
+
+#include <vector>
+
+#include "base/progress.hpp"
+#include "runtime/bit/bit_force.hpp"
+
+namespace runtime {
+
+struct ConstantSpeed {
+  double rotation = 0.0;             ///< [rad/s] above 0
+  double rate_of_penetration = 0.0;  ///< [m/s] 0 or more; 0 gives a load of 0
+  double duration = 0.0;             ///< [s] above 0
+  double rate = 0.0;                 ///< [Hz] samples a second, above 0
+};
+
+struct SignalSummary {
+  double mean_force_N = 0.0;
+  double max_force_N = 0.0;
+  double mean_torque_N_m = 0.0;
+  double max_torque_N_m = 0.0;
+  double depth_of_cut_m = 0.0;  ///< of every cutter, before any clamping to the training range
+  ClampTally clamps;
+  DrawTally draws;
+};
+
+/// Sample i is taken at i / rate, i = 0, 1, ... while that is before `duration`.
+struct Signal {
+  std::vector<double> time_s;
+  std::vector<double> angle_rad;
+  std::vector<double> axial_force_N;  ///< of the rock on the bit, pushing it off
+  std::vector<double> torque_N_m;     ///< of the rock on the bit, resisting rotation
+  SignalSummary summary;
+};
+
+/// Most samples of one signal: 640 MB.
+inline constexpr double most_samples = 2e7;
+
+/// Throws `InputError` when a number of `run` is not finite, out of range, or together they ask for more than
+/// `most_samples`.
+Signal constant_speed_signal(const Bit& bit, const surrogate::Model& model, const ConstantSpeed& run,
+                             const base::ProgressCallback& progress = {});
+
+}  // namespace runtime

@@ -1,0 +1,52 @@
+#pragma once
+/// The force history of one cutter, per metre of its width, as a function of the angle the bit has cut through. It
+/// holds the few windows whose pulses can be felt at that angle. It does not know the bit, the rock or the network:
+/// whoever owns it gives the statistics when a window comes into reach.
+
+#include <array>
+#include <cstdint>
+
+#include "runtime/signal/peak_window.hpp"
+
+namespace runtime {
+
+/// How often the wishes of the statistics could not be granted. Counted per window and component.
+struct DrawTally {
+  std::int64_t drawn = 0;        ///< windows drawn with at least one peak
+  std::int64_t mean_missed = 0;  ///< mean height other than amean
+  std::int64_t band_left = 0;    ///< peaks outside their band (article's scaling only)
+  std::int64_t promoted = 0;     ///< a peak moved into the top band
+  std::int64_t capped = 0;       ///< more than `largest_peak_count` peaks asked for
+
+  void add(const DrawTally& other);
+};
+
+/// Windows k-1, k and k+1 can be felt in window k; the fourth place keeps k-2, so that a solver which takes back a step
+/// over an edge finds what it left.
+inline constexpr int windows_kept = 4;
+
+struct CutterForce {
+  SignalSettings settings;
+  int cutter = 0;            ///< number on the bit, part of the address of every draw
+  double path_radius = 0.0;  ///< [m] of the circle it cuts, above 0
+  std::array<PeakWindow, windows_kept> windows;
+  std::array<std::int64_t, windows_kept> kept;  ///< which window lies in each place
+  PulseTrain train;                             ///< of the window entered last; its angle 0 is where that window begins
+  DrawTally tally;
+};
+
+/// Takes all the storage the cutter will ever need.
+CutterForce make_cutter_force(const SignalSettings& settings, int cutter, double path_radius);
+
+/// **What** Draws those of the windows k-1, k, k+1 that are not there yet.
+/// **Differences and validity** Statistics are latched: a window is drawn once, with the statistics of the moment when
+/// it comes into reach, which is one window before it begins, because its first pulses already reach back. Later
+/// changes of the statistics wait for the next window. (The article takes new network outputs at every time step;
+/// then the force jumps whenever a count changes.) So the force is twice continuously differentiable in the angle
+/// even across edges and while conditions change. With unchanging statistics it depends on the angle alone, not on
+/// the way there.
+/// Afterwards `force_at(cutter.train, settings.combine, angle)` is the force at `angle` from the beginning of the
+/// window, 0 <= angle <= theta_T. Takes no memory. Throws `SimulationError` when a statistic is not finite.
+void enter_window(CutterForce& cutter, std::int64_t window, const CutterStatistics& statistics);
+
+}  // namespace runtime

@@ -1,0 +1,62 @@
+#pragma once
+/// One angular window of one cutter, drawn: where its peaks lie, how high and how wide they are. Storage is taken once;
+/// drawing a window again takes none. What force they make is in `pulse_train.hpp`.
+
+#include <vector>
+
+#include "runtime/signal/peak_amplitudes.hpp"
+#include "runtime/signal/peak_counts.hpp"
+#include "runtime/signal/peak_statistics.hpp"
+#include "runtime/signal/pulse_train.hpp"
+
+namespace runtime {
+
+struct SignalSettings {
+  double window_angle = 0.0;        ///< [rad] theta_T, above 0
+  double pulse_width_factor = 1.0;  ///< [1] f, above 0 and at most 2: pulses reach no further than one window away
+  Combine combine = Combine::sum;
+  AmplitudeFit amplitude_fit = AmplitudeFit::band_preserving;
+  std::uint64_t seed = 0;  ///< of all draws
+};
+
+/// One component of a drawn window.
+struct ComponentDraw {
+  PeakCounts counts;
+  FitOutcome fit;
+  double half_width = 0.0;  ///< [rad] h; 0 when there are no peaks
+};
+
+/// A peak of both components: they share its angle.
+struct Peak {
+  double angle = 0.0;  ///< [rad] R, from the beginning of the window
+  double x = 0.0;      ///< [N/m]
+  double y = 0.0;      ///< [N/m]
+};
+
+struct PeakWindow {
+  std::vector<Peak> peaks;  ///< highest of x first, then by bands of x
+  ComponentDraw x;
+  ComponentDraw y;
+  std::vector<double> heights;  ///< [N/m] room for drawing
+};
+
+/// A window without peaks, with room for any.
+PeakWindow empty_window();
+
+/// **What** Draws the window of address `key` into `window`.
+/// **Equation** R_i = theta_T u_i, i = 1..N; heights as in `draw_amplitudes`; h = f theta_T / (2 N).
+/// **Symbols** N peaks of a component; u_i uniform in [0, 1); R_i [rad]; f [1]; theta_T [rad]; h [rad].
+/// **Source** R_i: [BitRock2026, sec. 3.3], where the listing fills A[] but the text says R[].
+/// **Differences and validity** The article gives no pulse width. With f = 1 the pulses of a window, laid side by side,
+/// just fill it. The two components count separately; peak i of both has angle R_i, and as counting starts at the top
+/// band their high peaks fall together. Statistics must be `usable`; `path_radius` [m] above 0.
+/// With overlapping pulses added up the mean force of a window is h sum A_i / theta_T = f Amean / 2, for any N >= 1
+/// whose heights have the mean Amean.
+void draw_window(PeakWindow& window, const CutterStatistics& statistics, double path_radius,
+                 const SignalSettings& settings, const WindowKey& key);
+
+/// Puts the pulses of the window into `train`, whose angle 0 lies `shift` [rad] before the beginning of the window;
+/// only those felt between 0 and theta_T. Call `restart` after the last.
+void put_pulses(const PeakWindow& window, double shift, double window_angle, PulseTrain& train);
+
+}  // namespace runtime
