@@ -1,7 +1,10 @@
 // bitrock: from lab rock to the force on a whole bit. Reads flags, runs one subcommand, turns what went wrong into an
 // exit status: 0 done, 2 the input is wrong, 3 the computation failed, 130 stopped by Ctrl-C.
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 #include "base/errors.hpp"
@@ -21,6 +24,16 @@ extern "C" void on_stop_signal(int signal) {
   }
 }
 
+/// Threads that wait for each other must sleep, not spin: on a machine with other work, spinning threads hold the cores
+/// that their partners need, and two threads become forty times slower than one. The OpenMP library reads this choice
+/// from the environment when it is loaded, before `main`; so the program sets it and starts itself again, once.
+void let_waiting_threads_sleep(char** argv) {
+  constexpr int keep_what_the_user_chose = 0;
+  if (std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+  if (::setenv("OMP_WAIT_POLICY", "passive", keep_what_the_user_chose) != 0) return;
+  ::execv("/proc/self/exe", argv);  // returns only when it failed: then go on as we are
+}
+
 int report(const char* prefix, const std::exception& error, int status) {
   std::fflush(stdout);
   std::fprintf(stderr, "bitrock: %s%s\n", prefix, error.what());
@@ -30,6 +43,7 @@ int report(const char* prefix, const std::exception& error, int status) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  let_waiting_threads_sleep(argv);
   std::signal(SIGINT, on_stop_signal);
   std::signal(SIGTERM, on_stop_signal);
 

@@ -1,0 +1,123 @@
+// What a user does wrong, the exit status it gets and the words that explain it.
+#include <gtest/gtest.h>
+
+#include "tests/end_to_end/program.hpp"
+
+namespace {
+
+using program::run;
+namespace fs = std::filesystem;
+
+const std::string rock = BITROCK_SOURCE_DIR "/campaigns/rocks/article.toml";
+const std::string example = BITROCK_SOURCE_DIR "/campaigns/cuts/example.toml";
+const std::string bit = BITROCK_SOURCE_DIR "/campaigns/bits/pdc15.toml";
+
+class Errors : public testing::Test {
+ protected:
+  fs::path dir = program::scratch("errors");
+  ~Errors() override { fs::remove_all(dir); }
+
+  std::string file(const std::string& name, const std::string& content) {
+    base::write_whole(dir / name, content);
+    return (dir / name).string();
+  }
+  /// The shipped file with one piece of text replaced.
+  std::string changed(const std::string& original, const std::string& from, const std::string& to) {
+    std::string text = base::read_whole(original);
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    const std::size_t relative = text.find("\"../rocks/article.toml\"");
+    if (relative != std::string::npos) text.replace(relative, 23, "\"" + rock + "\"");
+    return file("changed.toml", text);
+  }
+  static void expect(const std::string& arguments, int status, const std::string& words) {
+    const auto outcome = run(arguments);
+    EXPECT_EQ(outcome.status, status) << arguments << "\n" << outcome.text;
+    EXPECT_NE(outcome.text.find(words), std::string::npos) << arguments << "\n" << outcome.text << "\nlacks: " << words;
+  }
+};
+
+TEST_F(Errors, FlagsAndCommands) {
+  expect("", 2, "subcommand");
+  expect("dance", 2, "subcommand is required");
+  expect("cut", 2, "case is required");
+  expect("cut " + example + " --threads 0", 2, "Value 0 not in range");
+  expect("--help", 0, "campaign");
+  expect("--version", 0, "bitrock 0.");
+}
+
+TEST_F(Errors, RockAndCutFiles) {
+  expect("specimen /nonexistent.toml -o " + (dir / "s.h5").string(), 2, "/nonexistent.toml");
+  expect("specimen " + dir.string(), 2, "is a folder");
+  expect("specimen " + changed(rock, "porosity", "porsity"), 2, "did you mean porosity?");
+  expect("specimen " + changed(rock, "radius_min_mm = 0.5", "radius_min_mm = -0.5"), 2,
+         "changed.toml:11: discs.radius_min_mm = -0.5 (must be");
+  expect("specimen " + changed(rock, "elements = 2", "elements = \"two\""), 2, "must be a whole number");
+  expect("specimen " + changed(rock, "[discs]", "[discs"), 2, "changed.toml:10");
+  expect("cut " + changed(example, "depth_of_cut_mm = 2", "depth_of_cut_mm = 30"), 2,
+         "at most a third of bed.height_mm = 20");
+  expect("cut " + changed(example, "cutter_speed_m_per_s = 0.5", "cutter_speed_m_per_s = nan"), 2,
+         "cutter_speed_m_per_s = nan");
+  expect("cut " + changed(example, "rock = ", "rack = "), 2, "rock is missing");
+}
+
+TEST_F(Errors, PlacesThatCannotBeWritten) {
+  expect("specimen " + rock + " -o /proc/no/such.h5", 2, "/proc/no");
+  expect("cut " + example + " -o " + dir.string(), 2, "it is a folder");
+  expect("campaign run " BITROCK_SOURCE_DIR "/campaigns/demo.toml --dir /proc/no", 2, "/proc/no");
+  const std::string csv = file("force.csv", "time_s,force\n0,0\n1,2\n2,1\n");
+  expect("peaks " + csv + " --json /dev/full", 3, "No space left on device");
+}
+
+TEST_F(Errors, ForceHistories) {
+  expect("peaks " + file("empty.csv", ""), 2, "empty.csv: empty");
+  expect("peaks " + file("nan.csv", "time_s,force\n0,0\n1,nan\n"), 2,
+         "nan.csv:3: column force: nan (only finite numbers");
+  expect("peaks " + file("text.csv", "time_s,force\n0,strong\n"), 2, "'strong' is not a number");
+  expect("peaks " + file("good.csv", "time_s,force\n0,0\n1,2\n2,1\n") + " --column farce", 2,
+         "the nearest one there is force");
+  expect("peaks " + file("fake.h5", "not a run"), 2, "not an HDF5 file");
+  expect("snapshot " + file("fake.h5", "not a run"), 2, "not an HDF5 file");
+}
+
+TEST_F(Errors, TrainingDataAndModels) {
+  const std::string header =
+      "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,x_amax_N_per_m,x_amean_N_"
+      "per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4\n";
+  const std::string rows =
+      "1,1,0.5,2,10,0.05,0.1,3e5,3e4,1,9,59,1e5,2e4,2,8,67\n2,1,1.5,2,10,0.05,0.03,4e5,5e4,2,18,77,2e5,3e4,1,7,83\n3,1,"
+      "1.5,4,25,0.05,0.03,3e5,4e4,3,10,70,2e5,2e4,1,7,83\n";
+  expect("train " + file("one.csv", header + rows.substr(0, rows.find('\n') + 1)), 2, "one.csv");
+  expect("train " + file("hole.csv", header + rows + "4,1,1,3\n"), 2,
+         "hole.csv:5: 4 values (the header has 17 columns)");
+  expect("train " + file("nan.csv", header + rows + "4,1,nan,2,10,0.05,0.1,3e5,3e4,1,9,59,1e5,2e4,2,8,67\n"), 2,
+         "nan.csv:5");
+  const std::string model = (dir / "model.json").string();
+  const auto trained = run("train " + file("good.csv", header + rows) + " -o " + model);
+  ASSERT_EQ(trained.status, 0) << trained.text;
+  const std::string whole = base::read_whole(model);
+  for (const double share : {0.0, 0.1, 0.5, 0.9, 0.999}) {
+    expect("predict " +
+               file("half.json", whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size())))) +
+               " --speed-m-per-s 1 --depth-mm 2 --rake-deg 15",
+           2, "half.json");
+  }
+  expect("predict " + model + " --speed-m-per-s 9 --depth-mm 2 --rake-deg 15", 0, "outside the training range");
+  expect("signal " + bit + " --model " + model + " --rpm 0 --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2, "rpm");
+  expect("signal " + bit + " --model " + model + " --rpm nan --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2,
+         "rpm");
+  EXPECT_FALSE(fs::exists(dir / "f.csv"));
+}
+
+TEST_F(Errors, AFolderOfAnotherStudyIsLeftAlone) {
+  const std::string study = file("study.toml", program::small_study());
+  fs::create_directories(dir / "camp");
+  base::write_whole(dir / "camp" / "study.toml", "another study\n");
+  expect("campaign run " + study + " --dir " + (dir / "camp").string(), 2, "holds runs of another study");
+  expect("campaign run " + study + " --dir " + (dir / "new").string() + " --shard 3/2", 2, "write i/n");
+  expect("campaign collect " + study + " --dir " + (dir / "new").string(), 2, "no finished runs");
+  expect("report " + (dir / "nothing").string(), 2, "is not a folder");
+}
+
+}  // namespace

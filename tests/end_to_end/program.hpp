@@ -1,0 +1,55 @@
+#pragma once
+/// Runs the built `bitrock` program as a user would: arguments in, exit status and printed text out.
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/files.hpp"
+
+namespace program {
+
+struct Outcome {
+  int status = -1;   ///< exit status; -1 when a signal ended it
+  std::string text;  ///< standard output and error together
+};
+
+inline Outcome run(const std::string& arguments) {
+  Outcome outcome;
+  std::FILE* pipe = ::popen((std::string(BITROCK_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  std::array<char, 4096> buffer{};
+  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    outcome.text.append(buffer.data(), n);
+  const int status = ::pclose(pipe);
+  if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
+  return outcome;
+}
+
+/// A fresh folder for one test.
+inline std::filesystem::path scratch(const std::string& name) {
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("bitrock_test_" + std::to_string(::getpid()) + "_" + name);
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+inline nlohmann::json json(const std::filesystem::path& path) {
+  return nlohmann::json::parse(base::read_whole(path));
+}
+
+/// A study of 4 short, fast cuts in a small bed (about 200 discs): a second or two.
+inline std::string small_study() {
+  return "rock = \"" BITROCK_SOURCE_DIR
+         "/campaigns/rocks/article.toml\"\n"
+         "seeds = [3]\n"
+         "[grid]\ncutter_speeds_m_per_s = [1, 2]\ndepths_of_cut_mm = [2]\nback_rakes_deg = [10, 25]\n"
+         "[cut]\ncut_length_mm = 8\n[bed]\nlength_mm = 24\nheight_mm = 12\n";
+}
+
+}  // namespace program
