@@ -19,6 +19,9 @@ namespace {
 // A network of 71 parameters cannot be judged on fewer cases than about half of that.
 constexpr std::size_t enough_cases = 40;
 
+// The end of the bit's history is shown again, stretched, so that single peaks can be seen [s].
+constexpr double closer_look_s = 0.25;
+
 std::string percent(const std::optional<double>& share) {
   return share ? fmt::format("{:.1f} %", 100.0 * *share) : "-";
 }
@@ -44,13 +47,16 @@ std::vector<report::Plot> parity_plots(const surrogate::Parity& parity, const st
   return plots;
 }
 
+// Errors below this are drawn at the edge: a network that knows its few cases by heart says nothing there.
+constexpr double lowest_drawn_error = 1e-8;
+
 report::Plot learning_plot(const surrogate::Model& model, const std::string& title, std::size_t from, std::size_t to) {
   constexpr report::Colour colours[] = {report::Colour::blue, report::Colour::vermillion, report::Colour::green,
                                         report::Colour::purple, report::Colour::orange};
   report::Plot plot{.title = title,
                     .x_label = "epoch",
                     .y_label = "mean squared error [scaled, 1]",
-                    .caption = "Solid: cases learnt from. Dashed: test cases.",
+
                     .log_y = true};
   for (std::size_t k = from; k < to; ++k) {
     const surrogate::OutputModel& output = model.outputs[k];
@@ -65,14 +71,34 @@ report::Plot learning_plot(const surrogate::Model& model, const std::string& tit
     plot.series.push_back(std::move(train));
     plot.series.push_back(std::move(test));
   }
+  plot.y_range = report::AxisRange{lowest_drawn_error, 10.0};
   return plot;
+}
+
+/// Says how many answers of the networks came from the edge of their training range, and why.
+void add_clamp_note(report::Page& page, const nlohmann::json& signal) {
+  if (!signal.contains("clamped") || !signal["clamped"].is_object()) return;
+  std::string reasons;
+  for (const char* reason : {"speed_below", "speed_above", "depth_below", "depth_above", "rake_below", "rake_above"}) {
+    const long long count = signal["clamped"].value(reason, 0LL);
+    if (count == 0) continue;
+    std::string words = reason;
+    words[words.find('_')] = ' ';
+    reasons += fmt::format("{}{} the range {} times", reasons.empty() ? "" : ", ", words, count);
+  }
+  if (reasons.empty()) return;
+  page.note(fmt::format(
+      "The networks were asked {} times, some of them outside their training range ({}). There the answer is that of "
+      "the nearest edge.",
+      signal["clamped"].value("asked", 0LL), reasons));
 }
 
 }  // namespace
 
 void add_learning_curves(report::Page& page, const surrogate::Model& model) {
   page.plots_in_row({learning_plot(model, "Cutting force x", 0, surrogate::statistics_count),
-                     learning_plot(model, "Axial force y", surrogate::statistics_count, surrogate::output_count)});
+                     learning_plot(model, "Axial force y", surrogate::statistics_count, surrogate::output_count)},
+                    "Mean squared error over the epochs. Solid: cases learnt from. Dashed: test cases.");
 }
 
 void add_parity(report::Page& page, const surrogate::Model& model, const surrogate::TrainingData& data,
@@ -123,21 +149,13 @@ void add_bit_force(report::Page& page, const std::filesystem::path& csv, const s
       what = fmt::format("{}, {} cutters, {:g} rpm, {:g} m/h ({:.3g} mm per turn)", result.value("bit", ""),
                          result.value("cutters", 0), result.value("rpm", 0.0), result.value("rop_m_per_h", 0.0),
                          1e3 * result.value("depth_of_cut_m", 0.0));
-      const auto& clamps = result["clamped"];
-      long long clamped = 0, asked = 0;
-      for (const auto& [reason, count] : clamps.items())
-        (reason == "asked" ? asked : clamped) += count.get<long long>();
-      if (clamped > 0) {
-        page.note(
-            fmt::format("{} of {} questions to the networks lay outside their training range (inner cutters are slower "
-                        "than any simulated cut) and were answered for the nearest edge.",
-                        clamped, asked));
-      }
+      add_clamp_note(page, result);
     }
   }
-  const auto last_second = std::lower_bound(time.begin(), time.end(), std::max(0.0, time.back() - 1.0)) - time.begin();
-  const auto tail = [last_second](const std::vector<double>& values) {
-    return std::vector<double>(values.begin() + last_second, values.end());
+  const double closer = std::max(0.0, time.back() - closer_look_s);
+  const auto first = std::lower_bound(time.begin(), time.end(), closer) - time.begin();
+  const auto tail = [first](const std::vector<double>& values) {
+    return std::vector<double>(values.begin() + first, values.end());
   };
   const auto mean = [](const std::vector<double>& values) { return base::summarise(values).mean; };
   page.plot({.title = "Axial force, " + what,
@@ -153,14 +171,15 @@ void add_bit_force(report::Page& page, const std::filesystem::path& csv, const s
              .caption = fmt::format("Mean {:.4g} N m, largest {:.4g} N m.", mean(torque),
                                     *std::max_element(torque.begin(), torque.end()))});
   page.plots_in_row(
-      {{.title = "Axial force, last second",
+      {{.title = "Axial force, a closer look",
         .x_label = "time [s]",
         .y_label = "force on bit [kN]",
         .series = {{.name = "", .x = tail(time), .y = tail(force), .colour = report::Colour::blue}}},
-       {.title = "Torque, last second",
+       {.title = "Torque, a closer look",
         .x_label = "time [s]",
         .y_label = "torque on bit [N m]",
-        .series = {{.name = "", .x = tail(time), .y = tail(torque), .colour = report::Colour::vermillion}}}});
+        .series = {{.name = "", .x = tail(time), .y = tail(torque), .colour = report::Colour::vermillion}}}},
+      "The last quarter of a second of both.");
 }
 
 }  // namespace cli

@@ -110,7 +110,8 @@ void Page::plots_in_row(const std::vector<Plot>& plots, const std::string& capti
   for (const Plot& plot : plots) check(plot);
   const std::string shared = legend_html(plots.front());
   const bool same = std::all_of(plots.begin(), plots.end(), [&](const Plot& p) { return legend_html(p) == shared; });
-  body_ += "<figure>\n" + (same ? shared : std::string()) + "<div class=\"row\">\n";
+  body_ += "<figure>\n" + (same ? shared : std::string()) +
+           (plots.size() == 2 ? "<div class=\"row pair\">\n" : "<div class=\"row\">\n");
   for (const Plot& plot : plots) {
     body_ += "<div class=\"cell\">\n" + plot_html(plot, !same);
     if (!remark(plot).empty()) body_ += fmt::format("<p class=\"remark\">{}</p>\n", html_text(remark(plot)));
