@@ -37,7 +37,7 @@ void shuffle(Random& random, std::span<T> values) {
   for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(random, i)]);
 }
 
-/// One well-mixed 64-bit word from a key: the finaliser of SplitMix64 [SteeleLeaFlood2014, fig. 15]. Lets a draw be
+/// One well-mixed 64-bit word from a key: the finaliser of SplitMix64 [SteeleLeaFlood2014]. Lets a draw be
 /// addressed by (seed, cutter, window, ...) instead of by its place in a stream, so that it cannot depend on order.
 inline std::uint64_t mix(std::uint64_t key) {
   key += 0x9e3779b97f4a7c15ULL;

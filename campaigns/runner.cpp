@@ -72,7 +72,8 @@ class RockStore {
         dem2d::Specimen kept = dem2d::read_specimen(file);
         dem2d::Rock of_file = kept.rock, wanted = common.rock;
         const bool same_rock = base::to_toml(dem2d::describe(of_file)) == base::to_toml(dem2d::describe(wanted));
-        if (same_rock && kept.width == common.bed_length && kept.height == common.bed_height) return kept;
+        const bool same_box = kept.width == common.bed_length && kept.height == common.bed_height;
+        if (same_rock && same_box && kept.seed == static_cast<std::uint64_t>(seed)) return kept;
       } catch (const base::InputError&) {
         // a damaged rock is simply made again below
       }
@@ -90,6 +91,11 @@ class RockStore {
   std::map<int, std::unique_ptr<Rock>> rocks_;
 };
 
+/// What a job costs grows with the time it simulates [s].
+double simulated_time(const Job& job) {
+  return job.cut.cut_length / job.cut.cutter_speed;
+}
+
 /// Jobs of this shard that are not done, longest first, so that the last worker does not sit with the longest job.
 std::vector<Job> pending_jobs(const Study& study, const Path& folder, const RunOptions& options) {
   std::vector<Job> pending;
@@ -98,9 +104,8 @@ std::vector<Job> pending_jobs(const Study& study, const Path& folder, const RunO
     const bool mine = number++ % options.shards == options.shard - 1;
     if (mine && !is_done(folder, job)) pending.push_back(std::move(job));
   }
-  std::stable_sort(pending.begin(), pending.end(), [](const Job& a, const Job& b) {
-    return a.cut.cut_length / a.cut.cutter_speed > b.cut.cut_length / b.cut.cutter_speed;
-  });
+  std::stable_sort(pending.begin(), pending.end(),
+                   [](const Job& a, const Job& b) { return simulated_time(a) > simulated_time(b); });
   return pending;
 }
 
@@ -159,6 +164,8 @@ void run(const Study& study, const Path& folder, const RunOptions& options) {
   std::mutex report_mutex;
   std::exception_ptr broken;  // of the runner itself, such as a full disk
   int finished = 0;
+  double work_done = 0.0, work_total = 0.0;
+  for (const Job& job : pending) work_total += simulated_time(job);
 
   const auto work = [&] {
     for (std::size_t mine = next++; mine < pending.size() && !interrupted; mine = next++) {
@@ -167,6 +174,8 @@ void run(const Study& study, const Path& folder, const RunOptions& options) {
         const std::lock_guard lock(report_mutex);
         report.finished = ++finished;
         report.total = static_cast<int>(pending.size());
+        work_done += simulated_time(pending[mine]);
+        report.share_done = work_done / work_total;
         if (options.on_job) options.on_job(report);
       } catch (const base::Interrupted&) {
         interrupted = true;

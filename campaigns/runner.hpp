@@ -37,6 +37,7 @@ struct JobReport {
   std::string message;          ///< why it failed
   double wall_time = 0.0;       ///< [s]
   int finished = 0, total = 0;  ///< of the jobs of this call
+  double share_done = 0.0;      ///< of this call's work, by simulated time [1]
 };
 
 struct RunOptions {

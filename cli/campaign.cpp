@@ -48,7 +48,7 @@ void print_job(const campaigns::JobReport& report, double elapsed) {
   const std::string name =
       fmt::format("case {} seed {}: {:g} m/s, {:g} mm, {:g} deg", job.case_number, job.seed, job.cut.cutter_speed,
                   job.cut.depth_of_cut * 1e3, std::round(job.cut.back_rake * 1.8e8 / std::numbers::pi) / 1e6);
-  const double left = elapsed / report.finished * (report.total - report.finished);
+  const double left = elapsed / report.share_done * (1.0 - report.share_done);
   if (report.failed) {
     fmt::print("[{}/{}] {} FAILED: {}\n", report.finished, report.total, name, report.message);
   } else {

@@ -11,11 +11,14 @@
 /// kn min(g, 0) in an unbonded one (tension positive). Its resultant N and its moment m about the element's middle,
 /// with g_a and g_b the gaps at the two ends:
 ///
-///     bonded, or closed (g_a <= 0, g_b <= 0)   N = kn L (g_a + g_b) / 2     m = kn L^2 (g_b - g_a) / 12
-///     unbonded, open (g_a >= 0, g_b >= 0)      N = 0                        m = 0
-///     unbonded, g_a < 0 < g_b                  N = kn g_a l / 2             m = N (l/3 - L/2)   l = L g_a / (g_a -
-///     g_b) unbonded, g_b < 0 < g_a                  N = kn g_b l / 2             m = N (L/2 - l/3)   l = L g_b / (g_b
-///     - g_a)
+// clang-format off
+///     state of the element            N                    m
+///     bonded                          kn L (g_a + g_b)/2   kn L^2 (g_b - g_a)/12
+///     unbonded, g_a <= 0, g_b <= 0    as bonded            as bonded
+///     unbonded, g_a >= 0, g_b >= 0    0                    0
+///     unbonded, g_a < 0 < g_b         kn g_a l/2           N (l/3 - L/2)          l = L g_a/(g_a - g_b)
+///     unbonded, g_b < 0 < g_a         kn g_b l/2           N (L/2 - l/3)          l = L g_b/(g_b - g_a)
+// clang-format on
 ///
 /// **Strength** of a bonded element, with sigma = N / L and the trial shear stress tau* = tau + ks ds:
 /// it breaks in tension when sigma >= tensile strength, otherwise in shear when
@@ -26,10 +29,9 @@
 /// N [N/m] and m [N] are per metre of out-of-plane thickness; ds [m] shear displacement of disc 2 against disc 1 along
 /// t in this step; rotation [rad] of disc 2 against disc 1.
 ///
-/// **Source.** [Potyondy2012] for the interface of bonded and unbonded elements and its strength envelope,
-/// [PotyondyCundall2004, sec. 2.2] for strength of a bond as tension cut-off and cohesion. The resultants above are
-/// the integrals of the piecewise linear stress, done by hand (checked by quadrature in
-/// tests/unit/flat_joint_test.cpp).
+/// **Source.** [Potyondy2012] and [Potyondy2015] for the interface of bonded and unbonded elements and its strength
+/// envelope. The resultants above are the integrals of the piecewise linear stress, done by hand (checked by quadrature
+/// in tests/unit/flat_joint_test.cpp).
 ///
 /// **Differences and validity.** Small rotation (sin(rotation) = rotation). The stress that breaks or slides an element
 /// is its mean N / L, also when it is partly open.
@@ -117,6 +119,19 @@ inline NormalResultant update_element(const FlatJointLaw& law, double length, do
     shear_stress = std::fmin(std::fmax(trial, -limit), limit);
   }
   return pressed;
+}
+
+/// Elastic energy of one element [J/m]: the integral of kn g^2 / 2 over its bonded or closed part, and of tau^2 / (2
+/// ks).
+inline double stored_energy(const FlatJointLaw& law, double length, double gap_a, double gap_b, ElementState state,
+                            double shear_stress) {
+  const double shear = 0.5 * shear_stress * shear_stress / law.shear_stiffness * length;
+  const bool whole = state == ElementState::bonded || (gap_a <= 0.0 && gap_b <= 0.0);
+  if (whole) return shear + law.normal_stiffness * length * (gap_a * gap_a + gap_a * gap_b + gap_b * gap_b) / 6.0;
+  if (gap_a >= 0.0 && gap_b >= 0.0) return shear;
+  const double closed = std::fmin(gap_a, gap_b);  // the gap at the closed end; it falls to zero over the closed part
+  const double part = length * closed / (closed - std::fmax(gap_a, gap_b));
+  return shear + law.normal_stiffness * part * closed * closed / 6.0;
 }
 
 inline constexpr int max_elements = 64;  ///< of a joint: one bit each in the mask of breaks

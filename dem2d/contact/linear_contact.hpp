@@ -12,8 +12,7 @@
 /// From the effective modulus E* [Pa] and stiffness ratio kappa = kn / ks: kn = A E* / L with A = 2 min(R1, R2) and
 /// L = R1 + R2 (against a wall A = 2 R1, L = R1).
 ///
-/// **Source.** [CundallStrack1979] for the contact and its slip rule; [PotyondyCundall2004, sec. 2] for the modulus
-/// form.
+/// **Source.** [CundallStrack1979] for the contact and its slip rule; [ItascaPFC] for the modulus form.
 ///
 /// **Differences and validity.** The dashpot acts along the normal only and never pulls (N >= 0): a contact cannot
 /// stick.

@@ -44,7 +44,7 @@ struct CutRun {
   double specific_energy = 0.0;                   ///< mean_force_x / depth of cut [Pa]
   int cracks_tensile = 0, cracks_shear = 0;
   int removed_discs = 0;
-  double injected_energy = 0.0;  ///< by joints that ended while their discs overlapped [J/m]
+  double injected_energy = 0.0;  ///< net, by contacts that took over from joints [J/m]
   double wall_time = 0.0;        ///< [s]
   double nanoseconds_per_disc_step = 0.0;
 };

@@ -54,7 +54,8 @@ void write_frame(base::Hdf5Writer& file, const std::string& group, const Frame& 
 }  // namespace
 
 std::string cut_hash(const CutCase& cut, std::uint64_t seed) {
-  return base::fingerprint_text(fmt::format("physics {}\nseed {}\n{}", physics_version, seed, resolved_toml(cut)));
+  return base::fingerprint_text(
+      fmt::format("genesis {}\nphysics {}\nseed {}\n{}", genesis_version, physics_version, seed, resolved_toml(cut)));
 }
 
 void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const std::filesystem::path& path) {

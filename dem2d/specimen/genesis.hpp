@@ -10,7 +10,7 @@
 /// 4. **Join** every pair whose surfaces are closer than the installation gap. A flat joint is stress-free at the
 ///    distance at which it is installed, so the rock starts without locked-in stress, whatever the overlaps.
 ///
-/// Source: [PotyondyCundall2004, sec. 3] for the sequence; calm and overlap limit as in the material-genesis procedure
+/// Source: [PotyondyCundall2004] for the sequence; calm and overlap limit as in the material-genesis procedure
 /// of [Potyondy2015]. Differences: no pressure target and no growing of discs with few contacts (they are counted and
 /// reported as floaters). 2D discs cannot fill a plane beyond 0.91, and randomly beyond about 0.84: a porosity of 0.10
 /// is therefore over-full on purpose, and gives overlaps of a few percent that make the packing dense.
@@ -23,6 +23,9 @@
 #include "dem2d/step/world.hpp"
 
 namespace dem2d {
+
+/// Raised by hand whenever the same rock and seed would give other discs or joints: kept specimens then count no more.
+inline constexpr int genesis_version = 1;
 
 struct Specimen {
   Rock rock;

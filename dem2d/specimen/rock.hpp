@@ -2,7 +2,7 @@
 /// The micro-parameters of a synthetic rock: what a `rock.toml` says. Plain data, SI inside.
 ///
 /// The shipped values and their origin are in campaigns/rocks/article.toml. Stiffness is given as an effective modulus
-/// E* and a ratio kappa = kn / ks [PotyondyCundall2004, sec. 2]: a flat joint between discs of radius R1 and R2 gets
+/// E* and a ratio kappa = kn / ks [ItascaPFC]: a flat joint between discs of radius R1 and R2 gets
 /// kn = E* / (R1 + R2), ks = kn / kappa [Pa/m], and half-length R = lambda min(R1, R2).
 
 #include <filesystem>

@@ -20,6 +20,7 @@ void write_specimen(const Specimen& specimen, const std::filesystem::path& path)
   file.attribute("format", format_name);
   file.attribute("format_version", format_version);
   file.attribute("version", base::version);
+  file.attribute("genesis_version", static_cast<long long>(genesis_version));
   Rock rock = specimen.rock;
   file.attribute("config_toml", base::to_toml(describe(rock)));
   file.attribute("seed", static_cast<long long>(specimen.seed));
@@ -45,6 +46,8 @@ Specimen read_specimen(const std::filesystem::path& path) {
     refuse(fmt::format("specimen format {} (this program reads {})", file.number_attribute("format_version"),
                        format_version));
   }
+  if (file.number_attribute("genesis_version") != genesis_version)
+    refuse("made by another version of the packing; make it again");
   Specimen specimen;
   specimen.rock = parse_rock(file.text_attribute("config_toml"), path.string() + " (config_toml)");
   specimen.seed = static_cast<std::uint64_t>(file.number_attribute("seed"));

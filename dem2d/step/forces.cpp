@@ -149,15 +149,13 @@ void contact_forces(World& world) {
 }
 
 void boundary_forces(World& world) {
-  for (Boundary& boundary : world.boundaries) {
-    const int count = static_cast<int>(boundary.near.size());
-#pragma omp parallel for num_threads(world.threads) if (world.threads > 1 && count > 1000) schedule(static)
-    for (int place = 0; place < count; ++place) one_boundary_contact(world, boundary, static_cast<std::size_t>(place));
+  for (Boundary& boundary : world.boundaries) {  // few discs are near a boundary: not worth threads
     boundary.force_x = 0.0;
     boundary.force_y = 0.0;
-    for (int place = 0; place < count; ++place) {
-      boundary.force_x -= boundary.contact_force_x[static_cast<std::size_t>(place)];
-      boundary.force_y -= boundary.contact_force_y[static_cast<std::size_t>(place)];
+    for (std::size_t place = 0; place < boundary.near.size(); ++place) {
+      one_boundary_contact(world, boundary, place);
+      boundary.force_x -= boundary.contact_force_x[place];
+      boundary.force_y -= boundary.contact_force_y[place];
     }
   }
 }

@@ -82,33 +82,69 @@ void keep_contacts(LinearContacts& contacts, const std::vector<char>& flags) {
   keep(contacts.shear_force, flags);
 }
 
+/// Where the two discs of a joint are to each other.
+struct JointGeometry {
+  double distance;  ///< between centres [m]
+  double overlap;   ///< of the discs, negative when apart [m]
+  double opening;   ///< of the faces at their middle [m]
+  double rotation;  ///< [rad]
+};
+
+JointGeometry joint_geometry(const World& world, std::size_t joint) {
+  const FlatJoints& joints = world.joints;
+  const Discs& d = world.discs;
+  const auto i = static_cast<std::size_t>(joints.disc1[joint]), j = static_cast<std::size_t>(joints.disc2[joint]);
+  const double distance = std::hypot(d.x[j] - d.x[i], d.y[j] - d.y[i]);
+  return {.distance = distance,
+          .overlap = d.radius[i] + d.radius[j] - distance,
+          .opening = distance - joints.stress_free_distance[joint],
+          .rotation = d.angle[j] - d.angle[i] - joints.stress_free_rotation[joint]};
+}
+
 bool joint_is_over(const World& world, std::size_t joint) {
   const FlatJoints& joints = world.joints;
   if (joints.bonded[joint] > 0) return false;
-  const auto i = static_cast<std::size_t>(joints.disc1[joint]), j = static_cast<std::size_t>(joints.disc2[joint]);
-  const Discs& discs = world.discs;
-  const double distance = std::hypot(discs.x[j] - discs.x[i], discs.y[j] - discs.y[i]);
-  const double opening = distance - joints.stress_free_distance[joint];
-  const double face = 2.0 * joints.half_length[joint];
-  if (std::fabs(joints.shear_displacement[joint]) > face || opening > face) return true;
-  const double rotation = discs.angle[j] - discs.angle[i] - joints.stress_free_rotation[joint];
-  const bool open_everywhere = opening - std::fabs(rotation) * joints.half_length[joint] > 0.0;
-  return open_everywhere && distance > discs.radius[i] + discs.radius[j] + world.skin;
+  const JointGeometry now = joint_geometry(world, joint);
+  const double half = joints.half_length[joint];
+  if (std::fabs(joints.shear_displacement[joint]) > 2.0 * half || now.opening > 2.0 * half) return true;
+  const bool open_everywhere = now.opening - std::fabs(now.rotation) * half > 0.0;
+  return open_everywhere && -now.overlap > world.skin;
+}
+
+/// Elastic energy in a joint [J/m].
+double joint_energy(const World& world, std::size_t joint) {
+  const JointGeometry now = joint_geometry(world, joint);
+  const FlatJointLaw law = world.joints.law(static_cast<int>(joint));
+  const double length = 2.0 * law.half_length / law.elements;
+  double energy = 0.0;
+  for (int e = 0; e < law.elements; ++e) {
+    const double start = -law.half_length + length * e;
+    const auto element = joint * static_cast<std::size_t>(law.elements) + static_cast<std::size_t>(e);
+    energy +=
+        stored_energy(law, length, now.opening - now.rotation * start, now.opening - now.rotation * (start + length),
+                      world.joints.state[element], world.joints.shear_stress[element]);
+  }
+  return energy;
+}
+
+/// Elastic energy that the linear contact of two discs starts with when it takes over from a joint [J/m].
+double contact_energy(const World& world, std::size_t joint) {
+  const double overlap = joint_geometry(world, joint).overlap;
+  if (overlap <= 0.0) return 0.0;
+  const Discs& d = world.discs;
+  const auto i = static_cast<std::size_t>(world.joints.disc1[joint]),
+             j = static_cast<std::size_t>(world.joints.disc2[joint]);
+  return 0.5 * linear_normal_stiffness(world.contact_modulus, d.radius[i], d.radius[j]) * overlap * overlap;
 }
 
 void end_finished_joints(World& world) {
-  const FlatJoints& joints = world.joints;
-  std::vector<char> stays(joints.disc1.size(), 1);
+  std::vector<char> stays(world.joints.disc1.size(), 1);
   bool any_over = false;
   for (std::size_t joint = 0; joint < stays.size(); ++joint) {
     if (!joint_is_over(world, joint)) continue;
     stays[joint] = 0;
     any_over = true;
-    const auto i = static_cast<std::size_t>(joints.disc1[joint]), j = static_cast<std::size_t>(joints.disc2[joint]);
-    const Discs& d = world.discs;
-    const double overlap = d.radius[i] + d.radius[j] - std::hypot(d.x[j] - d.x[i], d.y[j] - d.y[i]);
-    const double kn = linear_normal_stiffness(world.contact_modulus, d.radius[i], d.radius[j]);
-    if (overlap > 0.0) world.injected_energy += 0.5 * kn * overlap * overlap;
+    world.injected_energy += contact_energy(world, joint) - joint_energy(world, joint);
   }
   if (any_over) keep_joints(world.joints, stays);
 }

@@ -6,8 +6,8 @@
 /// A joint is over when none of its elements is bonded and either its faces have slid or opened by more than their
 /// length 2R, or the faces are open everywhere and the discs are farther apart than the skin: from then on the two are
 /// ordinary loose discs. Source of the first rule: [Potyondy2015]; the second saves keeping joints between fragments
-/// that flew apart. The rule is looked at only when lists are made anew. Should the discs still overlap at that moment,
-/// the linear contact that takes over starts with that overlap; its energy is added up in `World::injected_energy`.
+/// that flew apart. The rule is looked at only when lists are made anew. The change of elastic energy when a linear
+/// contact takes over from a joint (its overlap, less what the joint still held) adds up in `World::injected_energy`.
 
 #include "dem2d/step/world.hpp"
 

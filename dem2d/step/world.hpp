@@ -125,7 +125,7 @@ struct World {
   std::vector<std::vector<Crack>> fresh_cracks;  ///< of this step, one list a thread
 
   int removed_discs = 0;
-  double injected_energy = 0.0;  ///< in contacts that replaced joints while the discs overlapped [J/m]
+  double injected_energy = 0.0;  ///< net, by contacts that took over from joints [J/m]
 };
 
 }  // namespace dem2d

@@ -1,14 +1,12 @@
 #pragma once
 /// The outline of a single PDC cutter in the plane of the cut: a rectangle, leaned by the back rake.
 ///
-///               ______
-///              /     /      The face looks forward and down: its outward normal is (cos rake, -sin rake), so it pushes
-///     thickness     / <- face   the rock ahead (x) and into the hole (-y), and the rock pushes the cutter back and up.
-///            /     /        Behind the tip the lower side rises with the same angle (clearance), so that only the face
-///           /_____/         and the tip cut. `depth of cut` is the height of the rock surface above the tip.
-///               tip  -> cutting direction x
+/// The face looks forward and down: its outward normal is (cos rake, -sin rake), so it pushes the rock ahead (x) and
+/// into the hole (-y), and the rock pushes the cutter back and up. Behind the tip the lower side rises with the same
+/// angle: the clearance equals the rake. With little rake uncut grains rub under it and add axial force that is not
+/// from cutting. The depth of cut is the height of the rock surface above the tip.
 ///
-/// Source of the geometry: back rake as in [DetournayDefourny1992, fig. 1]; four straight walls sized by cutter
+/// Source of the geometry: back rake as in [DetournayDefourny1992]; four straight walls sized by cutter
 /// diameter and thickness as in [BitRock2026, fig. 1].
 
 #include "dem2d/tool/convex_polygon.hpp"

@@ -20,9 +20,12 @@ struct FitOutcome {
   bool band_left = false;    ///< article only: at least one peak outside its band
 };
 
+/// Peaks are counted only above this fraction of amax (peaks/statistics.hpp), so none is drawn below it. [1]
+inline constexpr double lowest_counted = 0.01;
+
 /// **What** Heights A_1..A_N of the peaks of a window, A_1 first, then bands 1, 23, 4.
-/// **Equation** Band b spans lo_b..hi_b = 0.75..1, 0.25..0.75, 0..0.25. Draw a_i = lo_b + (hi_b - lo_b) u_i, and
-/// set A_1 = Amax, S = N Amean / Amax - 1, s = sum_{i>=2} a_i.
+/// **Equation** Band b spans lo_b..hi_b = 0.75..1, 0.25..0.75, 0.01..0.25 (article: 0..0.25). Draw a_i = lo_b + (hi_b -
+/// lo_b) u_i, and set A_1 = Amax, S = N Amean / Amax - 1, s = sum_{i>=2} a_i.
 ///   band_preserving, S >= s:  u_i <- u_i + L (1 - u_i), L = (S - s) / (sum_{i>=2} hi_b - s)
 ///   band_preserving, S <  s:  u_i <- M u_i,             M = (S - sum_{i>=2} lo_b) / (s - sum_{i>=2} lo_b)
 ///   article:                  a_i <- S_m a_i,           S_m = S / s

@@ -14,8 +14,7 @@ const std::string bit = BITROCK_SOURCE_DIR "/campaigns/bits/pdc15.toml";
 
 class Errors : public testing::Test {
  protected:
-  fs::path dir = program::scratch("errors");
-  ~Errors() override { fs::remove_all(dir); }
+  const scratch::Folder dir{"errors"};
 
   std::string file(const std::string& name, const std::string& content) {
     base::write_whole(dir / name, content);
@@ -49,7 +48,7 @@ TEST_F(Errors, FlagsAndCommands) {
 
 TEST_F(Errors, RockAndCutFiles) {
   expect("specimen /nonexistent.toml -o " + (dir / "s.h5").string(), 2, "/nonexistent.toml");
-  expect("specimen " + dir.string(), 2, "is a folder");
+  expect("specimen " + dir.path().string(), 2, "is a folder");
   expect("specimen " + changed(rock, "porosity", "porsity"), 2, "did you mean porosity?");
   expect("specimen " + changed(rock, "radius_min_mm = 0.5", "radius_min_mm = -0.5"), 2,
          "changed.toml:11: discs.radius_min_mm = -0.5 (must be");
@@ -64,7 +63,7 @@ TEST_F(Errors, RockAndCutFiles) {
 
 TEST_F(Errors, PlacesThatCannotBeWritten) {
   expect("specimen " + rock + " -o /proc/no/such.h5", 2, "/proc/no");
-  expect("cut " + example + " -o " + dir.string(), 2, "it is a folder");
+  expect("cut " + example + " -o " + dir.path().string(), 2, "it is a folder");
   expect("campaign run " BITROCK_SOURCE_DIR "/campaigns/demo.toml --dir /proc/no", 2, "/proc/no");
   const std::string csv = file("force.csv", "time_s,force\n0,0\n1,2\n2,1\n");
   expect("peaks " + csv + " --json /dev/full", 3, "No space left on device");

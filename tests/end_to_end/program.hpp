@@ -2,7 +2,6 @@
 /// Runs the built `bitrock` program as a user would: arguments in, exit status and printed text out.
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include <string>
 
 #include "base/files.hpp"
+#include "tests/scratch.hpp"
 
 namespace program {
 
@@ -28,15 +28,6 @@ inline Outcome run(const std::string& arguments) {
   const int status = ::pclose(pipe);
   if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
   return outcome;
-}
-
-/// A fresh folder for one test.
-inline std::filesystem::path scratch(const std::string& name) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("bitrock_test_" + std::to_string(::getpid()) + "_" + name);
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
 }
 
 inline nlohmann::json json(const std::filesystem::path& path) {

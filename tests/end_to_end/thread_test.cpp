@@ -16,7 +16,7 @@ using program::run;
 namespace fs = std::filesystem;
 
 TEST(Thread, FromRockToReport) {
-  const fs::path dir = program::scratch("thread");
+  const scratch::Folder dir("thread");
   base::write_whole(dir / "study.toml", program::small_study());
   const std::string study = (dir / "study.toml").string(), camp = (dir / "camp").string();
 
@@ -70,11 +70,10 @@ TEST(Thread, FromRockToReport) {
        {"Forces and their peaks", "Fracture", "Learning", "Network against DEM", "The whole bit", "Only 4 cases"}) {
     EXPECT_NE(html.find(chapter), std::string::npos) << chapter;
   }
-  fs::remove_all(dir);
 }
 
 TEST(Thread, TheSameCutGivesTheSameForceForOneAndTwoThreads) {
-  const fs::path dir = program::scratch("threads");
+  const scratch::Folder dir("threads");
   const std::string rock = BITROCK_SOURCE_DIR "/campaigns/rocks/article.toml";
   base::write_whole(dir / "cut.toml", "rock = \"" + rock +
                                           "\"\n[cut]\ncutter_speed_m_per_s = 2\ndepth_of_cut_mm = 2\nback_rake_deg = "
@@ -90,7 +89,6 @@ TEST(Thread, TheSameCutGivesTheSameForceForOneAndTwoThreads) {
     peaks[threads - 1] = base::read_whole(file + ".json");
   }
   EXPECT_EQ(peaks[0], peaks[1]);
-  fs::remove_all(dir);
 }
 
 /// Starts the program without waiting for it.
@@ -114,7 +112,7 @@ int finished_runs(const fs::path& folder) {
 class Stopped : public testing::TestWithParam<int> {};
 
 TEST_P(Stopped, ACampaignGoesOnWhereItWas) {
-  const fs::path dir = program::scratch("stopped_" + std::to_string(GetParam()));
+  const scratch::Folder dir("stopped_" + std::to_string(GetParam()));
   base::write_whole(dir / "study.toml", program::small_study());
   const fs::path study = dir / "study.toml", camp = dir / "camp";
   const pid_t child = start({"campaign", "run", study.string(), "--dir", camp.string(), "--jobs", "1", "--quiet"});
@@ -140,7 +138,6 @@ TEST_P(Stopped, ACampaignGoesOnWhereItWas) {
   EXPECT_EQ(program::json(dir / "s.json")["done"], 4);
   for (const auto& [file, time] : written)
     EXPECT_EQ(fs::last_write_time(file), time) << "a finished run was computed again";
-  fs::remove_all(dir);
 }
 
 INSTANTIATE_TEST_SUITE_P(BySignal, Stopped, testing::Values(SIGINT, SIGKILL));

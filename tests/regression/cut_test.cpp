@@ -6,6 +6,7 @@
 #include "dem2d/output/snapshot.hpp"
 #include "dem2d/specimen/specimen_file.hpp"
 #include "dem2d/step/step.hpp"
+#include "tests/scratch.hpp"
 
 namespace {
 
@@ -30,13 +31,15 @@ TEST(Genesis, PacksDenseAndConnected) {
   EXPECT_LE(bed.equilibrium_ratio, 1e-4);
   EXPECT_GT(dem2d::coordination_number(bed), 4.0);
   EXPECT_LT(dem2d::coordination_number(bed), 6.0);
-  EXPECT_GT(dem2d::porosity(bed), 0.09) << "no packing of discs is denser than the triangular one (0.093)";
-  EXPECT_LT(dem2d::porosity(bed), 0.18);
+  // The cloud covers 0.90 of the box with overlaps counted twice; what overlaps is then open elsewhere. Overlaps of a
+  // few percent of a radius on five neighbours cover one to two hundredths of the box twice.
+  EXPECT_GT(dem2d::porosity(bed), 0.10);
+  EXPECT_LT(dem2d::porosity(bed), 0.13);
   EXPECT_LE(dem2d::floaters(bed), static_cast<int>(bed.x.size()) / 50);
 }
 
 TEST(Genesis, SameSeedSameBytesForAnyThreads) {
-  const auto folder = std::filesystem::path(testing::TempDir());
+  const scratch::Folder folder("genesis");
   dem2d::write_specimen(small_bed(1), folder / "one.h5");
   dem2d::write_specimen(small_bed(2), folder / "two.h5");
   EXPECT_EQ(base::read_whole(folder / "one.h5"), base::read_whole(folder / "two.h5"));
@@ -90,7 +93,8 @@ TEST(Cut, ACutterThatMovesAwayFromTheRockFeelsNothing) {
 TEST(RunFile, RoundTripAndPicture) {
   const auto cut = small_cut();
   const auto run = dem2d::run_cut(cut, small_bed(), 1);
-  const auto path = std::filesystem::path(testing::TempDir()) / "run.h5";
+  const scratch::Folder folder("run_file");
+  const auto path = folder / "run.h5";
   dem2d::write_run(run, cut, 3, path);
   const dem2d::RunFile file = dem2d::read_run(path);
   EXPECT_EQ(file.run.force_x, run.force_x);

@@ -8,11 +8,13 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "tests/scratch.hpp"
 
 namespace {
 
 std::filesystem::path write(const std::string& text) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "table.csv";
+  static const scratch::Folder folder("csv");
+  const auto path = folder / "table.csv";
   base::write_whole(path, text);
   return path;
 }

@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "tests/scratch.hpp"
 
 namespace {
 
@@ -15,7 +16,8 @@ std::filesystem::path save(const std::string& name) {
   writer.array("/empty", std::vector<double>{}, "1", "nothing");
   writer.attribute("seed", 7LL);
   writer.attribute("status", "complete");
-  const auto path = std::filesystem::path(testing::TempDir()) / name;
+  static const scratch::Folder folder("hdf5");
+  const auto path = folder / name;
   writer.save(path);
   return path;
 }
@@ -46,7 +48,8 @@ TEST(Hdf5, TruncatedAndForeignFilesAreRefused) {
 }
 
 TEST(Hdf5, AFlippedByteInAnArrayIsNoticed) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "flip.h5";
+  const scratch::Folder folder("flip");
+  const auto path = folder / "flip.h5";
   std::vector<double> values(20000);
   std::uint64_t state = 1;
   for (double& value : values)

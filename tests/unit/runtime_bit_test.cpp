@@ -85,10 +85,8 @@ TEST(ShippedBit, IsItsOwnRecipe) {
   const std::size_t count = 15;
   ASSERT_EQ(bit.cutters.size(), count);
   EXPECT_DOUBLE_EQ(bit.diameter, 2.0 * outer);
-  const auto radius = [=](std::size_t i) { return outer * std::sqrt((static_cast<double>(i) + 0.5) / 15.0); };
-  const auto edge = [=](std::size_t i) {
-    return i == 0 ? 0.0 : i == count ? outer : 0.5 * (radius(i - 1) + radius(i));
-  };
+  const auto edge = [=](std::size_t i) { return outer * std::sqrt(static_cast<double>(i) / 15.0); };
+  const auto radius = [=](std::size_t i) { return 0.5 * (edge(i) + edge(i + 1)); };
   const double rounding = 0.501e-6;  // [m] the file has three decimals of a millimetre
   double sum = 0.0;
   for (std::size_t i = 0; i < count; ++i) {

@@ -45,26 +45,25 @@ int in_band(const std::vector<double>& heights, double low, double high) {
 
 TEST(PeakAmplitudes, BandPreservingMeetsLargestMeanAndCounts) {
   for (const Case& c : {Case{3, 10, 20, 0.25}, Case{3, 10, 20, 0.30}, Case{3, 10, 20, 0.36}, Case{5, 20, 5, 0.50},
-                        Case{5, 20, 5, 0.60}, Case{1, 0, 30, 0.04}, Case{1, 1, 30, 0.05}, Case{2, 0, 0, 0.9}}) {
+                        Case{5, 20, 5, 0.60}, Case{1, 0, 30, 0.045}, Case{1, 1, 30, 0.05}, Case{2, 0, 0, 0.9}}) {
     for (int window = 0; window < 500; ++window) {
       const Drawn got = drawn(c, AmplitudeFit::band_preserving, window);
       ASSERT_FALSE(got.outcome.mean_missed);
       ASSERT_EQ(got.heights[0], amax);
       ASSERT_EQ(*std::max_element(got.heights.begin(), got.heights.end()), amax);
-      ASSERT_GE(*std::min_element(got.heights.begin(), got.heights.end()), 0.0);
       ASSERT_NEAR(mean(got.heights), c.mean * amax, 1e-14 * amax);
       ASSERT_EQ(in_band(got.heights, 0.75, 2.0), c.n1);
       ASSERT_EQ(in_band(got.heights, 0.25, 0.75), c.n23);
-      ASSERT_EQ(in_band(got.heights, 0.0, 0.25), c.n4);
+      ASSERT_EQ(in_band(got.heights, 0.01, 0.25), c.n4);
     }
   }
 }
 
 TEST(PeakAmplitudes, AMeanOutOfReachStopsAtTheEdgeOfTheBandsAndIsFlagged) {
-  // reachable sums of the others: 0.75 + 0.25 = 1.00 to 1.00 + 0.75 + 0.25 = 2.00, so means from 0.50 to 0.75
+  // reachable sums of the others: 0.75 + 0.25 + 0.01 = 1.01 to 1.00 + 0.75 + 0.25 = 2.00, so means from 0.5025 to 0.75
   const Drawn low = drawn({2, 1, 1, 0.3}, AmplitudeFit::band_preserving, 0);
   EXPECT_TRUE(low.outcome.mean_missed);
-  EXPECT_NEAR(mean(low.heights), 0.50 * amax, 1e-15 * amax);
+  EXPECT_NEAR(mean(low.heights), 0.5025 * amax, 1e-15 * amax);
   const Drawn high = drawn({2, 1, 1, 0.9}, AmplitudeFit::band_preserving, 0);
   EXPECT_TRUE(high.outcome.mean_missed);
   EXPECT_NEAR(mean(high.heights), 0.75 * amax, 1e-15 * amax);

@@ -47,8 +47,8 @@ TEST(OneDiscOnAWall, BouncesBackAfterHalfAPeriodWithItsSpeed) {
 }
 
 TEST(OneDiscOnAWall, SlidesWithCoulombFrictionAndThenRolls) {
-  // Pressed down by a constant overlap and pushed along at v0, a disc slows by mu N / m and spins up by mu N R / I until
-  // it rolls; with I = m R^2 / 2 that is at 2/3 v0 (a cylinder on a rough floor, any textbook).
+  // Pressed down by a constant overlap and pushed along at v0, a disc slows by mu N / m and spins up by mu N R / I
+  // until it rolls; with I = m R^2 / 2 that is at 2/3 v0 (a cylinder on a rough floor, any textbook).
   dem2d::World world = small_worlds::disc_above_floor(-1e-6);
   const double v0 = 100.0;  // [m/s]
   world.discs.velocity_x[0] = v0;
