@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <toml++/toml.h>
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -118,7 +119,26 @@ ConfigFile::ConfigFile(std::unique_ptr<State> state) : state_(std::move(state)) 
 ConfigFile::~ConfigFile() = default;
 ConfigFile::ConfigFile(ConfigFile&&) noexcept = default;
 
+namespace {
+
+// The parser recurses once for each dot of a key; a line this long is no input of ours but could overflow its stack.
+constexpr std::size_t longest_line = 10000;
+
+void refuse_long_lines(std::string_view text, const std::string& name) {
+  for (int line = 1; !text.empty(); ++line) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    if (length > longest_line) {
+      throw InputError(
+          fmt::format("{}:{}: a line of {} characters (at most {} are allowed)", name, line, length, longest_line));
+    }
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+}
+
+}  // namespace
+
 ConfigFile ConfigFile::from_text(std::string_view text, const std::string& name) {
+  refuse_long_lines(text, name);
   auto state = std::make_unique<State>();
   state->name = name;
   try {
@@ -138,6 +158,22 @@ ConfigFile ConfigFile::read(const std::filesystem::path& path) {
 
 namespace {
 
+/// What may stand there, for the message that it does not.
+std::string allowed_text(const Field& field) {
+  return std::holds_alternative<std::string*>(field.target) ? "; a text in quotes" : "; " + field.range.text();
+}
+
+/// Names a key of the table that nobody knows and that looks like the missing one.
+std::string misspelt(const Field& field, const toml::table& table, const Section& section) {
+  std::vector<std::string> strangers;
+  for (const auto& [key, node] : table) {
+    const auto known = [&key = key](const Field& other) { return other.name == key.str(); };
+    if (std::none_of(section.fields.begin(), section.fields.end(), known)) strangers.emplace_back(key.str());
+  }
+  const std::string nearest = nearest_name(field.name, strangers);
+  return nearest.empty() ? "" : "; is it the unknown key " + nearest + "?";
+}
+
 template <class State, class Refuse>
 void fill_table(State& state, const toml::table& table, const Section& section, int line, const Refuse& refuse) {
   for (const Field& field : section.fields) {
@@ -148,8 +184,9 @@ void fill_table(State& state, const toml::table& table, const Section& section, 
         refuse(at, qualified(section.name, field.name) + " = " + source_text(at), why);
       });
     } else if (field.required) {
-      throw InputError(fmt::format("{}:{}: {} is missing ({}; {})", state.name, line,
-                                   qualified(section.name, field.name), field.meaning, field.range.text()));
+      throw InputError(fmt::format("{}:{}: {} is missing ({}{}){}", state.name, line,
+                                   qualified(section.name, field.name), field.meaning, allowed_text(field),
+                                   misspelt(field, table, section)));
     }
   }
 }

@@ -34,7 +34,8 @@ std::vector<std::string_view> split(std::string_view line) {
 }
 
 double parse_number(std::string_view text, const std::string& where, bool allow_not_finite) {
-  const std::string_view digits = !text.empty() && text.front() == '+' ? text.substr(1) : text;
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  const std::string_view digits = plus ? text.substr(1) : text;
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size()) {
@@ -68,6 +69,8 @@ CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite) {
   CsvTable table;
   table.source = path.string();
   std::string_view rest = content;
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some spreadsheets put it first
+  if (rest.substr(0, byte_order_mark.size()) == byte_order_mark) rest.remove_prefix(byte_order_mark.size());
   for (int line_number = 1; !rest.empty(); ++line_number) {
     const std::size_t newline = rest.find('\n');
     const std::string_view line = trimmed(rest.substr(0, newline));

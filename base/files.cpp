@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -41,14 +42,16 @@ int write_flush_close(int file, std::string_view bytes, bool flush) {
 }
 
 [[noreturn]] void fail_writing(const std::filesystem::path& path, int error) {
-  throw SimulationError(
+  throw OutputError(
       fmt::format("cannot write {}: {} (nothing was left under that name)", path.string(), std::strerror(error)));
 }
 
 }  // namespace
 
 std::string read_whole(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) {
+  if (path.empty()) throw InputError("an empty file name (the name of a file to read is needed)");
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
     throw InputError(fmt::format("{} is a folder (a file is needed)", path.string()));
   }
   std::ifstream stream(path, std::ios::binary);
@@ -76,27 +79,67 @@ void write_whole(const std::filesystem::path& path, std::string_view bytes) {
   }
 }
 
-void require_writable_folder(const std::filesystem::path& folder) {
-  const std::filesystem::path target = folder.empty() ? "." : folder;
+namespace {
+
+void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
-  std::filesystem::create_directories(target, error);
-  if (error) throw InputError(fmt::format("cannot make the folder {}: {}", target.string(), error.message()));
-  const std::filesystem::path probe = part_name(target / "probe");
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+}
+
+/// One text for one place, whether it exists yet or not and however it is written.
+std::filesystem::path place_of(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  return place.empty() ? path : place;
+}
+
+/// Makes and removes the part file that writing `path` would make.
+void try_part(const std::filesystem::path& path) {
+  const std::filesystem::path probe = part_name(path);
   const int file = ::open(probe.c_str(), O_WRONLY | O_CREAT, 0644);
   if (file < 0) {
-    throw InputError(fmt::format("cannot write into the folder {}: {} (choose another with -o or --dir)",
-                                 target.string(), std::strerror(errno)));
+    throw InputError(fmt::format("cannot write {}: {} (choose another place with -o or --dir)", path.string(),
+                                 std::strerror(errno)));
   }
   ::close(file);
   ::unlink(probe.c_str());
 }
 
+}  // namespace
+
+void require_writable_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) throw InputError("an empty folder name (the name of a folder to write to is needed)");
+  make_folder(folder);
+  try_part(folder / "probe");
+}
+
 void require_writable(const std::filesystem::path& path) {
   if (is_special(path)) return;
-  if (std::filesystem::is_directory(path)) {
+  if (path.empty()) throw InputError("an empty file name (the name of a file to write is needed)");
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored) || !path.has_filename()) {
     throw InputError(fmt::format("cannot write {}: it is a folder (a file name is needed)", path.string()));
   }
-  require_writable_folder(path.parent_path());
+  if (path.has_parent_path()) make_folder(path.parent_path());
+  try_part(path);
+}
+
+void refuse_overwriting(const std::vector<std::filesystem::path>& inputs,
+                        const std::vector<std::filesystem::path>& outputs) {
+  std::vector<std::filesystem::path> taken;
+  for (const auto& input : inputs) {
+    if (!input.empty()) taken.push_back(place_of(input));
+  }
+  for (const auto& output : outputs) {
+    if (output.empty() || is_special(output)) continue;
+    const auto place = place_of(output);
+    if (std::find(taken.begin(), taken.end(), place) != taken.end()) {
+      throw InputError(fmt::format("{} would be overwritten (it is read, or written by another flag, in the same call)",
+                                   output.string()));
+    }
+    taken.push_back(place);
+  }
 }
 
 }  // namespace base

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace base {
 
@@ -11,12 +12,16 @@ namespace base {
 std::string read_whole(const std::filesystem::path& path);
 
 /// Writes `path`.part, flushes it to the disk and renames it: a file with its final name is whole.
-/// Throws `SimulationError` (for example: no space left on device) and removes the part on failure.
+/// Throws `OutputError` (for example: no space left on device) and removes the part on failure.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
 /// Call before a long computation: makes the folder of `path` if needed and tries to write there.
 /// Throws `InputError` naming the path and the reason.
 void require_writable(const std::filesystem::path& path);
+
+/// Throws `InputError` when an output is one of the inputs or another output. Empty names are skipped.
+void refuse_overwriting(const std::vector<std::filesystem::path>& inputs,
+                        const std::vector<std::filesystem::path>& outputs);
 
 /// As `require_writable`, for a folder that will receive several files.
 void require_writable_folder(const std::filesystem::path& folder);

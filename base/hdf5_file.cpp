@@ -7,16 +7,17 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/text.hpp"
 
 namespace base {
 
 namespace {
 
-/// HDF5 prints its error stack by default; our messages come from exceptions instead. HDF5 from Debian is not built
-/// thread-safe, so a single lock guards every call into it.
+/// One lock guards every call into the library, whether or not it was built thread-safe. HDF5 prints its error stack by
+/// default, a setting of each thread; our messages come from exceptions instead.
 std::recursive_mutex& library() {
   static std::recursive_mutex mutex;
-  static const bool silenced = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+  thread_local const bool silenced = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(silenced);
   return mutex;
 }
@@ -32,6 +33,13 @@ void require_ok(herr_t status, const char* what) {
 
 // Chunks of 64 Ki values (512 kB of doubles): large enough to compress well, small enough to read a part.
 constexpr hsize_t largest_chunk = 65536;
+
+/// What ends a file of ours: 24 bytes that HDF5 does not look at, a mark and the fingerprint of all bytes before it.
+constexpr std::string_view seal_mark = "BITROCK:";
+constexpr std::size_t seal_length = 24;
+std::string seal(std::string_view image) {
+  return std::string(seal_mark) + fingerprint_text(image);
+}
 
 Hdf5Handle variable_text_type() {
   Hdf5Handle type(require(H5Tcopy(H5T_C_S1), "make a text type"), H5Tclose);
@@ -93,8 +101,10 @@ Hdf5Writer::Hdf5Writer() {
   constexpr std::size_t growth = 1 << 20;  // memory is taken in steps of 1 MiB
   require_ok(H5Pset_fapl_core(access.id(), growth, false), "keep a file in memory");
   const Hdf5Handle creation = untimed(H5P_FILE_CREATE);
-  file_ = Hdf5Handle(require(H5Fcreate("in-memory.h5", H5F_ACC_TRUNC, creation.id(), access.id()), "make a file"),
-                     H5Fclose);
+  static int files = 0;  // two open files must not share a name, not even in memory
+  const std::string name = fmt::format("in-memory-{}.h5", files++);
+  file_ =
+      Hdf5Handle(require(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), "make a file"), H5Fclose);
 }
 
 void Hdf5Writer::write_array(const std::string& path, const void* values, std::size_t count, hid_t memory_type,
@@ -159,17 +169,27 @@ void Hdf5Writer::save(const std::filesystem::path& path) {
       throw SimulationError("HDF5 could not finish the file");
     }
   }
-  write_whole(path, image);
+  write_whole(path, image + seal(image));
 }
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : name_(path.string()) {
-  const std::string head = read_whole(path).substr(0, 8);
+  const std::string bytes = read_whole(path);
+  const std::string_view all = bytes, head = all.substr(0, 8);
+  const std::string_view body = all.substr(0, all.size() - std::min(all.size(), seal_length)),
+                         end = all.substr(body.size());
+  sealed_ = end.substr(0, seal_mark.size()) == seal_mark;
+  if (sealed_ && end != seal(body)) throw InputError(fmt::format("{}: damaged (its checksum does not fit)", name_));
   const std::lock_guard lock(library());
   file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file_.valid()) {
     throw InputError(fmt::format(
         "{}: {}", name_, head == "\x89HDF\r\n\x1a\n" ? "a damaged or truncated HDF5 file" : "not an HDF5 file"));
   }
+}
+
+void Hdf5Reader::require_checksum() const {
+  if (!sealed_)
+    throw InputError(fmt::format("{}: no checksum at its end (truncated, or changed by another program)", name_));
 }
 
 bool Hdf5Reader::has(const std::string& path) const {

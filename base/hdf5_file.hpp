@@ -46,7 +46,7 @@ class Hdf5Writer {
   void attribute(const std::string& name, double value);
   void attribute(const std::string& name, long long value);
 
-  /// Writes the finished file under its final name.
+  /// Writes the finished file under its final name, followed by a checksum of 24 bytes that HDF5 ignores.
   void save(const std::filesystem::path& path);
 
  private:
@@ -60,6 +60,10 @@ class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& path);
 
+  /// Throws `InputError` when the file does not end in the checksum that `Hdf5Writer` gives it. A file of ours is only
+  /// safe to read when it does: the library trusts what it reads, and one wrong byte can make it crash.
+  void require_checksum() const;
+
   bool has(const std::string& path) const;
   std::vector<double> doubles(const std::string& path) const;
   std::vector<int> ints(const std::string& path) const;
@@ -72,6 +76,7 @@ class Hdf5Reader {
   template <class T>
   std::vector<T> read_array(const std::string& path, hid_t memory_type) const;
   std::string name_;
+  bool sealed_ = false;  ///< ends in a checksum, which was right
   Hdf5Handle file_;
 };
 

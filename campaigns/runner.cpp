@@ -120,6 +120,8 @@ JobReport run_job(const Job& job, const Path& folder, RockStore& rocks) {
     std::filesystem::remove(failure_path(folder, job));
   } catch (const base::Interrupted&) {
     throw;
+  } catch (const base::OutputError&) {
+    throw;  // the next job could not be stored either
   } catch (const std::exception& error) {
     report.failed = true;
     report.message = error.what();
@@ -170,7 +172,9 @@ void run(const Study& study, const Path& folder, const RunOptions& options) {
   const auto work = [&] {
     for (std::size_t mine = next++; mine < pending.size() && !interrupted; mine = next++) {
       try {
-        JobReport report = run_job(pending[mine], folder, rocks);
+        // another runner on the same folder may have done it meanwhile
+        JobReport report =
+            is_done(folder, pending[mine]) ? JobReport{.job = &pending[mine]} : run_job(pending[mine], folder, rocks);
         const std::lock_guard lock(report_mutex);
         report.finished = ++finished;
         report.total = static_cast<int>(pending.size());

@@ -38,7 +38,7 @@ void print(const Options& options, const campaigns::Status& status) {
 /// "i/n" with 1 <= i <= n.
 void parse_shard(const std::string& text, campaigns::RunOptions& run) {
   int used = 0;
-  const bool good = std::sscanf(text.c_str(), "%d/%d%n", &run.shard, &run.shards, &used) == 2 &&
+  const bool good = std::sscanf(text.c_str(), "%6d/%6d%n", &run.shard, &run.shards, &used) == 2 &&
                     used == static_cast<int>(text.size()) && run.shard >= 1 && run.shard <= run.shards;
   if (!good) throw base::InputError(fmt::format("--shard {} (write i/n with 1 <= i <= n, e.g. 2/8)", text));
 }
@@ -62,7 +62,8 @@ void run_campaign(const Options& options) {
   const campaigns::Study study = campaigns::read_study(options.study_file);
   campaigns::RunOptions run{.workers = options.workers};
   parse_shard(options.shard, run);
-  require_json_writable(options.common);
+  const std::filesystem::path folder = options.folder;
+  require_outputs(options.common, {options.study_file, folder / "study.toml", folder / "features.csv"}, {});
   if (options.common.check) return print(options, campaigns::status(study, options.folder));
   const auto start = std::chrono::steady_clock::now();
   if (!options.common.quiet) {
@@ -103,7 +104,7 @@ CLI::App* add_action(CLI::App& campaign, const std::string& name, const std::str
                      const std::shared_ptr<Options>& options) {
   CLI::App* command = campaign.add_subcommand(name, meaning);
   command->add_option("study", options->study_file, "study file, e.g. campaigns/demo.toml")->required();
-  command->add_option("--dir", options->folder, "folder of the campaign")->required();
+  command->add_option("--dir", options->folder, "folder of the campaign")->required()->check(not_empty());
   add_common(*command, options->common);
   return command;
 }

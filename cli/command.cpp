@@ -1,6 +1,7 @@
 #include "cli/command.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "base/files.hpp"
@@ -8,7 +9,7 @@
 namespace cli {
 
 void add_common(CLI::App& command, CommonOptions& options) {
-  command.add_option("--json", options.json_file, "write the result as JSON to this file");
+  command.add_option("--json", options.json_file, "write the result as JSON to this file")->check(not_empty());
   command.add_flag("--quiet", options.quiet, "print nothing but errors");
 }
 
@@ -20,12 +21,41 @@ void add_computing(CLI::App& command, CommonOptions& options) {
   command.add_flag("--check", options.check, "read the input, print what follows from it, and stop");
 }
 
-void require_json_writable(const CommonOptions& options) {
-  if (!options.json_file.empty()) base::require_writable(options.json_file);
+void require_outputs(const CommonOptions& options, const std::vector<std::filesystem::path>& inputs,
+                     const std::vector<std::filesystem::path>& outputs) {
+  std::vector<std::filesystem::path> all = outputs;
+  if (!options.json_file.empty()) all.emplace_back(options.json_file);
+  base::refuse_overwriting(inputs, all);
+  for (const auto& output : all) base::require_writable(output);
+}
+
+namespace {
+
+std::string check_number(const std::string& text, bool positive) {
+  double value = 0.0;
+  const bool good =
+      !text.empty() && CLI::detail::lexical_cast(text, value) && std::isfinite(value) && (!positive || value > 0.0);
+  return good ? "" : fmt::format("'{}' (must be a finite number{})", text, positive ? " above 0" : "");
+}
+
+}  // namespace
+
+CLI::Validator finite() {
+  return {[](std::string& text) { return check_number(text, false); }, "NUMBER", "finite"};
+}
+
+CLI::Validator finite_positive() {
+  return {[](std::string& text) { return check_number(text, true); }, "NUMBER > 0", "finite_positive"};
+}
+
+CLI::Validator not_empty() {
+  return {[](std::string& text) { return text.empty() ? std::string("an empty name") : std::string(); }, "",
+          "not_empty"};
 }
 
 void write_json(const CommonOptions& options, const nlohmann::json& result) {
-  if (!options.json_file.empty()) base::write_whole(options.json_file, result.dump(2) + "\n");
+  if (!options.json_file.empty())
+    base::write_whole(options.json_file, result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 int cores() {

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/progress.hpp"
 
@@ -24,8 +26,10 @@ void add_common(CLI::App& command, CommonOptions& options);
 /// Also `--threads` and `--check`, for subcommands that compute.
 void add_computing(CLI::App& command, CommonOptions& options);
 
-/// Throws `base::InputError` now when the JSON file could not be written later.
-void require_json_writable(const CommonOptions& options);
+/// Call before the work: throws `base::InputError` when an output could not be written later, or would overwrite an
+/// input or another output. The JSON file is one of the outputs.
+void require_outputs(const CommonOptions& options, const std::vector<std::filesystem::path>& inputs,
+                     const std::vector<std::filesystem::path>& outputs);
 void write_json(const CommonOptions& options, const nlohmann::json& result);
 
 /// Prints unless --quiet.
@@ -47,6 +51,12 @@ class Progress {
   base::ProgressLine line_;
   double per_unit_;  ///< shown number = number given * per_unit
 };
+
+/// For options: a number that is there, finite, and as stated. An empty text is no number.
+CLI::Validator finite();
+CLI::Validator finite_positive();
+/// For file and folder names.
+CLI::Validator not_empty();
 
 /// Number of cores that may be used.
 int cores();

@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "base/errors.hpp"
-#include "base/files.hpp"
 #include "cli/command.hpp"
 #include "dem2d/output/run_file.hpp"
 #include "dem2d/specimen/specimen_file.hpp"
@@ -73,9 +72,11 @@ void print_plan(const Options& options, const dem2d::CutCase& cut) {
 
 void run(const Options& options) {
   const dem2d::CutCase cut = dem2d::read_cut_case(options.case_file);
-  require_json_writable(options.common);
-  if (options.common.check) return print_plan(options, cut);
-  base::require_writable(options.output);
+  if (options.common.check) {
+    require_outputs(options.common, {options.case_file, options.specimen_file}, {});
+    return print_plan(options, cut);
+  }
+  require_outputs(options.common, {options.case_file, options.specimen_file}, {options.output});
   const dem2d::Specimen bed = bed_of(options, cut);
   dem2d::CutRun result;
   {
@@ -125,7 +126,7 @@ void add_cut(CLI::App& app) {
   command->add_option("case", options->case_file, "cut file, e.g. campaigns/cuts/example.toml")->required();
   command->add_option("--seed", options->seed, "of the rock")->check(CLI::Range(0, 2147483647))->capture_default_str();
   command->add_option("-o,--output", options->output, "run file to write (.h5)")->default_val("run.h5");
-  command->add_option("--specimen", options->specimen_file, "use this rock instead of making it");
+  command->add_option("--specimen", options->specimen_file, "use this rock instead of making it")->check(not_empty());
   command->add_option("--frames", options->frames, "store all discs at this many instants, evenly spaced")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();

@@ -39,17 +39,18 @@ std::string percent(const std::optional<double>& share) {
 void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
   const surrogate::TrainingData data = surrogate::read_training_data(options.data_file);
-  require_json_writable(options.common);
-  if (!options.report_file.empty()) base::require_writable(options.report_file);
+  std::vector<std::filesystem::path> outputs;
+  if (!options.report_file.empty()) outputs.emplace_back(options.report_file);
+  require_outputs(options.common, {options.model_file, options.data_file}, outputs);
   const surrogate::Parity parity = surrogate::parity(model, data);
 
-  nlohmann::json outputs;
+  nlohmann::json result;
   say(options.common, "{:<16} {:>10} {:>9} {:>9} {:>10}   (deviation from the DEM, relative)\n", "output", "train mean",
       "max", "test mean", "max");
   for (const surrogate::OutputParity& output : parity.outputs) {
-    outputs[output.name] = as_json(output.all);
-    outputs[output.name]["train"] = as_json(output.train);
-    outputs[output.name]["test"] = as_json(output.test);
+    result[output.name] = as_json(output.all);
+    result[output.name]["train"] = as_json(output.train);
+    result[output.name]["test"] = as_json(output.test);
     say(options.common, "{:<16} {} {} {} {}\n", output.name, percent(output.train.mean_deviation),
         percent(output.train.max_deviation), percent(output.test.mean_deviation), percent(output.test.max_deviation));
   }
@@ -62,7 +63,7 @@ void run(const Options& options) {
     base::write_whole(options.report_file, page.html());
     say(options.common, "-> {}\n", options.report_file);
   }
-  write_json(options.common, {{"outputs", outputs}, {"same_data", parity.same_data}});
+  write_json(options.common, {{"outputs", result}, {"same_data", parity.same_data}});
 }
 
 }  // namespace
@@ -72,7 +73,7 @@ void add_parity(CLI::App& app) {
   CLI::App* command = app.add_subcommand("parity", "compare a model with DEM data, beside the scatter of the data");
   command->add_option("model", options->model_file, "model.json")->required();
   command->add_option("data", options->data_file, "features.csv")->required();
-  command->add_option("--report", options->report_file, "HTML file to write");
+  command->add_option("--report", options->report_file, "HTML file to write")->check(not_empty());
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -53,7 +53,7 @@ void run(const Options& options) {
     throw base::InputError(fmt::format("{}: {} values in {} but {} times", options.file, history.force.size(),
                                        history.column, history.time.size()));
   }
-  require_json_writable(options.common);
+  require_outputs(options.common, {options.file}, {});
   const peaks::PeakStatistics s = peaks::peak_statistics(history.force);
   nlohmann::json list = nlohmann::json::array();
   for (const std::size_t i : peaks::counted_peaks(history.force)) {

@@ -1,4 +1,5 @@
 // bitrock predict: what a trained model says for one cut.
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -24,10 +25,15 @@ void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
   const surrogate::CutConditions conditions{options.speed, options.depth_mm * 1e-3,
                                             options.rake_deg * std::numbers::pi / 180.0};
-  if (!std::isfinite(options.speed + options.depth_mm + options.rake_deg)) {
-    throw base::InputError("--speed-m-per-s, --depth-mm and --rake-deg must be finite numbers");
-  }
+  require_outputs(options.common, {options.model_file}, {});
   const surrogate::Prediction prediction = surrogate::predict(model, conditions);
+  for (const auto& p : {prediction.x, prediction.y}) {
+    if (!std::isfinite(p.amax + p.amean + p.np1 + p.np23 + p.np4)) {
+      throw base::InputError(
+          fmt::format("{}: no finite answer for these conditions (they are too far outside its training range)",
+                      options.model_file));
+    }
+  }
   if (!prediction.inside_training_range) {
     std::string ranges;
     for (const surrogate::Variable& input : model.inputs)
@@ -49,9 +55,9 @@ void add_predict(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("predict", "five peak statistics for x and y from a trained model");
   command->add_option("model", options->model_file, "model.json")->required();
-  command->add_option("--speed-m-per-s", options->speed, "cutter speed")->required();
-  command->add_option("--depth-mm", options->depth_mm, "depth of cut")->required();
-  command->add_option("--rake-deg", options->rake_deg, "back rake")->required();
+  command->add_option("--speed-m-per-s", options->speed, "cutter speed")->required()->check(finite_positive());
+  command->add_option("--depth-mm", options->depth_mm, "depth of cut")->required()->check(finite_positive());
+  command->add_option("--rake-deg", options->rake_deg, "back rake")->required()->check(finite());
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

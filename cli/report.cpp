@@ -6,6 +6,7 @@
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/report_parts.hpp"
+#include "report/embedded.hpp"
 #include "surrogate/net/model_file.hpp"
 
 namespace cli {
@@ -65,8 +66,11 @@ void run(const Options& options) {
     throw base::InputError(
         fmt::format("{} holds nothing to report (looked for runs/*.h5, model.json and bit_force.csv)", options.folder));
   }
-  require_json_writable(options.common);
-  base::require_writable(options.output);
+  if (!report::plotly_available()) {
+    throw base::InputError(
+        "this program was built without the plot library, so it cannot write reports (install npm, then build again)");
+  }
+  require_outputs(options.common, {model_file, data_file, bit_file, folder / "bit_force.json"}, {options.output});
 
   report::Page page("From lab rock to bit force", runs.empty() ? std::string() : runs.front().cut.rock.name);
   if (!runs.empty()) add_cut_chapters(page, runs);

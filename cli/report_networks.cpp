@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/csv.hpp"
+#include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/statistics.hpp"
 #include "cli/report_parts.hpp"
@@ -144,12 +145,14 @@ void add_bit_force(report::Page& page, const std::filesystem::path& csv, const s
 
   std::string what = "whole bit";
   if (!json.empty() && std::filesystem::exists(json)) {
-    const nlohmann::json result = nlohmann::json::parse(base::read_whole(json), nullptr, false);
-    if (result.is_object() && result.contains("bit") && result["bit"].is_string()) {
-      what = fmt::format("{}, {} cutters, {:g} rpm, {:g} m/h ({:.3g} mm per turn)", result.value("bit", ""),
-                         result.value("cutters", 0), result.value("rpm", 0.0), result.value("rop_m_per_h", 0.0),
-                         1e3 * result.value("depth_of_cut_m", 0.0));
+    try {
+      const nlohmann::json result = nlohmann::json::parse(base::read_whole(json));
+      what = fmt::format("{}, {} cutters, {:g} rpm, {:g} m/h ({:.3g} mm per turn)", result.at("bit").get<std::string>(),
+                         result.at("cutters").get<int>(), result.at("rpm").get<double>(),
+                         result.at("rop_m_per_h").get<double>(), 1e3 * result.at("depth_of_cut_m").get<double>());
       add_clamp_note(page, result);
+    } catch (const nlohmann::json::exception& error) {
+      throw base::InputError(fmt::format("{}: not a result of bitrock signal ({})", json.string(), error.what()));
     }
   }
   const double closer = std::max(0.0, time.back() - closer_look_s);

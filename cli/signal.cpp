@@ -26,8 +26,7 @@ void run(const Options& options) {
                                      .rate_of_penetration = options.rop_m_per_h / 3600.0,
                                      .duration = options.duration,
                                      .rate = options.rate};
-  require_json_writable(options.common);
-  base::require_writable(options.output);
+  require_outputs(options.common, {options.bit_file, options.model_file}, {options.output});
   const auto begin = std::chrono::steady_clock::now();
   runtime::Signal signal;
   {
@@ -82,10 +81,10 @@ void add_signal(CLI::App& app) {
   CLI::App* command = app.add_subcommand("signal", "force and torque on a whole bit at steady rpm and ROP");
   command->add_option("bit", options->bit_file, "bit file, e.g. campaigns/bits/pdc15.toml")->required();
   command->add_option("--model", options->model_file, "model.json")->required();
-  command->add_option("--rpm", options->rpm, "rotation of the bit")->required();
-  command->add_option("--rop-m-per-h", options->rop_m_per_h, "rate of penetration")->required();
-  command->add_option("--duration-s", options->duration, "how long")->capture_default_str();
-  command->add_option("--rate-hz", options->rate, "samples a second")->capture_default_str();
+  command->add_option("--rpm", options->rpm, "rotation of the bit")->required()->check(finite());
+  command->add_option("--rop-m-per-h", options->rop_m_per_h, "rate of penetration")->required()->check(finite());
+  command->add_option("--duration-s", options->duration, "how long")->check(finite_positive())->capture_default_str();
+  command->add_option("--rate-hz", options->rate, "samples a second")->check(finite_positive())->capture_default_str();
   command->add_option("-o,--output", options->output, "CSV file to write")->default_val("signal.csv");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });

@@ -18,8 +18,7 @@ struct Options {
 
 void run(const Options& options) {
   const dem2d::RunFile file = dem2d::read_run(options.run_file);
-  require_json_writable(options.common);
-  base::require_writable(options.output);
+  require_outputs(options.common, {options.run_file}, {options.output});
   base::write_whole(options.output, dem2d::draw_snapshot(file, options.width_px));
   say(options.common, "-> {}\n", options.output);
   write_json(options.common, {{"files", {options.output}}});

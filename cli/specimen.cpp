@@ -1,8 +1,7 @@
 // bitrock specimen: one synthetic rock from a seed.
+#include <cmath>
 #include <memory>
-#include <numbers>
 
-#include "base/files.hpp"
 #include "cli/command.hpp"
 #include "dem2d/specimen/specimen_file.hpp"
 #include "dem2d/step/neighbours.hpp"
@@ -19,12 +18,6 @@ struct Options {
   double width_mm = 0.0, height_mm = 0.0;
 };
 
-/// Mean area of a disc whose radius is uniform in [a, b] is pi (a^2 + a b + b^2) / 3.
-double expected_discs(const dem2d::Rock& rock, double width, double height) {
-  const double a = rock.radius_min, b = rock.radius_max;
-  return (1.0 - rock.porosity) * width * height / (std::numbers::pi * (a * a + a * b + b * b) / 3.0);
-}
-
 double critical_step_of(const dem2d::Specimen& specimen) {
   dem2d::World world = dem2d::bonded_world(specimen, 1);
   world.domain = {0.0, 0.0, specimen.width, specimen.height};
@@ -36,14 +29,15 @@ void run(const Options& options) {
   const dem2d::Rock rock = dem2d::read_rock(options.rock_file);
   const double width = options.width_mm > 0.0 ? options.width_mm * 1e-3 : rock.specimen_width;
   const double height = options.height_mm > 0.0 ? options.height_mm * 1e-3 : rock.specimen_height;
-  require_json_writable(options.common);
+  dem2d::check_specimen_size(rock, width, height, options.rock_file);
   if (options.common.check) {
-    const double discs = expected_discs(rock, width, height);
+    require_outputs(options.common, {options.rock_file}, {});
+    const double discs = dem2d::expected_discs(rock, width, height);
     say(options.common, "{}: {:.4g} x {:.4g} mm, about {:.0f} discs\n", rock.name, width * 1e3, height * 1e3, discs);
     write_json(options.common, {{"discs", std::llround(discs)}, {"width_m", width}, {"height_m", height}});
     return;
   }
-  base::require_writable(options.output);
+  require_outputs(options.common, {options.rock_file}, {options.output});
   Progress progress(options.common, "packing", "");
   const dem2d::Specimen specimen = dem2d::make_specimen(rock, width, height, static_cast<std::uint64_t>(options.seed),
                                                         options.common.threads, progress.callback());
@@ -75,9 +69,9 @@ void add_specimen(CLI::App& app) {
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "specimen file to write (.h5)")->default_val("specimen.h5");
   command->add_option("--width-mm", options->width_mm, "instead of specimen.width_mm of the rock file")
-      ->check(CLI::PositiveNumber);
+      ->check(finite_positive());
   command->add_option("--height-mm", options->height_mm, "instead of specimen.height_mm of the rock file")
-      ->check(CLI::PositiveNumber);
+      ->check(finite_positive());
   add_computing(*command, options->common);
   command->callback([options] { run(*options); });
 }

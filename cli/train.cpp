@@ -4,7 +4,6 @@
 #include <chrono>
 #include <memory>
 
-#include "base/files.hpp"
 #include "cli/command.hpp"
 #include "surrogate/net/model_file.hpp"
 
@@ -28,7 +27,7 @@ void run(Options options) {
   }
   options.train.shuffle = !options.no_shuffle;
   options.train.threads = options.common.threads;
-  require_json_writable(options.common);
+  require_outputs(options.common, {options.data_file, options.init_from}, {options.output});
   if (options.common.check) {
     const std::size_t cases = surrogate::case_numbers(data).size();
     say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", options.data_file, data.rows.size(),
@@ -36,7 +35,6 @@ void run(Options options) {
     write_json(options.common, {{"rows", data.rows.size()}, {"cases", cases}});
     return;
   }
-  base::require_writable(options.output);
   const auto begin = std::chrono::steady_clock::now();
   surrogate::Model model;
   {
@@ -75,11 +73,16 @@ void add_train(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--batch", train.batch, "rows a step")->check(CLI::Range(1, 1000000))->capture_default_str();
   command->add_option("--learning-rate", train.learning_rate, "of Adam")
-      ->check(CLI::PositiveNumber)
+      ->check(finite_positive())
       ->capture_default_str();
-  command->add_option("--seed", train.seed, "of initial weights, batches and split")->capture_default_str();
-  command->add_option("--split", train.split, "share of the cases to learn from")->capture_default_str();
-  command->add_option("--init-from", options->init_from, "start from the networks of this model file");
+  command->add_option("--seed", train.seed, "of initial weights, batches and split")
+      ->check(CLI::Range(0, 2147483647))
+      ->capture_default_str();
+  command->add_option("--split", train.split, "share of the cases to learn from")
+      ->check(finite_positive())
+      ->capture_default_str();
+  command->add_option("--init-from", options->init_from, "start from the networks of this model file")
+      ->check(not_empty());
   command->add_flag("--no-shuffle", options->no_shuffle, "keep the order of the file; the last cases are the test set");
   command->add_option("--rock", train.rock, "which rock, noted in the model file");
   add_computing(*command, options->common);

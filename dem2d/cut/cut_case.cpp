@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/errors.hpp"
+#include "dem2d/specimen/genesis.hpp"
 
 namespace dem2d {
 
@@ -16,6 +17,8 @@ constexpr double mm = 1e-3, um = 1e-6, deg = std::numbers::pi / 180.0;
 // last chips; and this many below it, so that the bottom does not.
 constexpr double depths_ahead = 3.0;
 constexpr double depths_below = 2.0;
+
+constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 }  // namespace
 
 std::vector<base::Section> describe(CutCase& cut) {
@@ -68,8 +71,11 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
     refuse(fmt::format("run.sampling_distance_um = {:.4g} (at most a third of the cut: {:.4g})",
                        cut.sampling_distance / um, cut.cut_length / 3.0 / um));
   }
-  if (cut.bed_length * cut.bed_height / (cut.rock.radius_min * cut.rock.radius_min) > 3e7) {
-    refuse("the bed would hold more than ten million discs (make it smaller or the discs larger)");
+  check_specimen_size(cut.rock, cut.bed_length, cut.bed_height, source + ": [bed]");
+  if (cut.cut_length / cut.sampling_distance > most_samples) {
+    refuse(fmt::format(
+        "run.sampling_distance_um = {:.4g} (a cut of {:.4g} mm would have {:.3g} samples, at most {:.0e})",
+        cut.sampling_distance / um, cut.cut_length / mm, cut.cut_length / cut.sampling_distance, most_samples));
   }
 }
 

@@ -1,9 +1,12 @@
 #include "dem2d/cut/run_cut.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "base/errors.hpp"
 #include "base/stop.hpp"
 #include "dem2d/cut/fragments.hpp"
 #include "dem2d/step/neighbours.hpp"
@@ -13,6 +16,9 @@
 namespace dem2d {
 
 namespace {
+
+// About a month on one core for a bed of a thousand discs; also keeps step counts far below what an int holds.
+constexpr double most_steps = 1e9;
 
 // The cutter starts this far from the edge of the rock, so that nothing touches at the first step [m].
 constexpr double start_gap = 1e-6;
@@ -82,7 +88,15 @@ World make_cut_world(const CutCase& cut, const Specimen& bed, int threads) {
 
 CutSchedule plan_steps(const CutCase& cut, double critical_step) {
   const double sample_time = cut.sampling_distance / cut.cutter_speed;
-  const int steps_per_sample = std::max(1, static_cast<int>(std::ceil(sample_time / critical_step)));
+  const double wanted = std::ceil(sample_time / critical_step);
+  const double samples = cut.cut_length / cut.sampling_distance;
+  if (!(critical_step > 0.0) || !(wanted * samples <= most_steps)) {
+    throw base::InputError(
+        fmt::format("cut.cutter_speed_m_per_s = {:.4g}: the cut would take {:.3g} steps of {:.3g} s (at most {:.0e}; a "
+                    "faster or shorter cut takes fewer)",
+                    cut.cutter_speed, wanted * samples, critical_step, most_steps));
+  }
+  const int steps_per_sample = std::max(1, static_cast<int>(wanted));
   return {.step = sample_time / steps_per_sample,
           .steps_per_sample = steps_per_sample,
           .samples = std::llround(cut.cut_length / cut.sampling_distance)};

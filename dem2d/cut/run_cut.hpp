@@ -58,6 +58,7 @@ struct CutSchedule {
   int steps_per_sample;
   long long samples;
 };
+/// Throws `InputError` when the cut would take more than 1e9 steps.
 CutSchedule plan_steps(const CutCase& cut, double critical_step);
 
 /// `frames` extra snapshots, evenly spaced. Throws `SimulationError` or, when stopped by the user, `Interrupted`.

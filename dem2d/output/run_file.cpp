@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
 #include "base/text.hpp"
@@ -97,6 +100,7 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
 
 RunFile read_run(const std::filesystem::path& path) {
   const base::Hdf5Reader file(path);
+  file.require_checksum();
   const auto refuse = [&](const std::string& why) {
     throw base::InputError(fmt::format("{}: {}", path.string(), why));
   };
@@ -131,6 +135,11 @@ RunFile read_run(const std::filesystem::path& path) {
   if (run.time.size() != run.force_x.size() || run.time.size() != run.force_y.size())
     refuse("force arrays differ in length");
 
+  for (const std::vector<double>* values : {&run.time, &run.force_x, &run.force_y}) {
+    if (!std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
+      refuse("a force or time is not a finite number");
+    }
+  }
   const auto time = file.doubles("/cracks/time_s"), x = file.doubles("/cracks/x_m"), y = file.doubles("/cracks/y_m"),
              angle = file.doubles("/cracks/normal_angle_rad"), length = file.doubles("/cracks/length_m");
   const auto mode = file.ints("/cracks/mode"), disc1 = file.ints("/cracks/disc_1"), disc2 = file.ints("/cracks/disc_2");
@@ -155,6 +164,9 @@ RunFile read_run(const std::filesystem::path& path) {
   frame.fragment = file.ints("/frames/last/fragment");
   for (const std::size_t size : {frame.y.size(), frame.radius.size(), frame.id.size(), frame.fragment.size()}) {
     if (size != frame.x.size()) refuse("frame arrays differ in length");
+  }
+  for (const int piece : frame.fragment) {
+    if (piece < 0 || piece >= run.discs) refuse("a fragment has an impossible number");
   }
   run.frames.push_back(std::move(frame));
   return result;

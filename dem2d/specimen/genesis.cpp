@@ -21,6 +21,7 @@ constexpr int calm_interval = 5;            // steps between two zeroings of all
 constexpr double calm_overlap = 0.25;       // largest overlap over diameter after calming [1]
 constexpr int check_interval = 100;         // steps between two looks at overlap, step and equilibrium
 constexpr int most_calm_steps = 20000;      // seen to need a few hundred
+constexpr double most_discs = 1e7;          // some 10 GB
 constexpr int most_packing_steps = 400000;  // seen to need about 10,000
 
 void fill_with_cloud(World& world, const Rock& rock, double width, double height, std::uint64_t seed) {
@@ -97,14 +98,29 @@ double equilibrate(World& world, double target, const base::ProgressCallback& pr
 
 }  // namespace
 
+double expected_discs(const Rock& rock, double width, double height) {
+  const double a = rock.radius_min, b = rock.radius_max;
+  const double mean_area = std::numbers::pi * (a * a + a * b + b * b) / 3.0;  // radii uniform in [a, b]
+  return (1.0 - rock.porosity) * width * height / mean_area;
+}
+
+void check_specimen_size(const Rock& rock, double width, double height, const std::string& source) {
+  if (std::min(width, height) < 8.0 * rock.radius_max) {
+    throw base::InputError(fmt::format(
+        "{}: {:.4g} x {:.4g} mm is too small for discs of radius {:.4g} mm (at least 4 diameters are needed each way)",
+        source, width * 1e3, height * 1e3, rock.radius_max * 1e3));
+  }
+  const double discs = expected_discs(rock, width, height);
+  if (!(discs <= most_discs)) {
+    throw base::InputError(fmt::format(
+        "{}: {:.4g} x {:.4g} mm would hold about {:.3g} discs (at most {:.0e}; take a smaller box or larger discs)",
+        source, width * 1e3, height * 1e3, discs, most_discs));
+  }
+}
+
 Specimen make_specimen(const Rock& rock, double width, double height, std::uint64_t seed, int threads,
                        const base::ProgressCallback& progress) {
-  if (std::min(width, height) < 8.0 * rock.radius_max) {
-    throw base::InputError(
-        fmt::format("a specimen of {:.4g} x {:.4g} mm is too small for discs of radius {:.4g} mm (at least 4 diameters "
-                    "are needed each way)",
-                    width * 1e3, height * 1e3, rock.radius_max * 1e3));
-  }
+  check_specimen_size(rock, width, height, "specimen");
   World world;
   world.threads = threads;
   world.contact_modulus = rock.packing_modulus;

@@ -36,7 +36,14 @@ struct Specimen {
   double equilibrium_ratio = 0.0;    ///< reached by the packing [1]
 };
 
-/// Throws `SimulationError` when the packing does not come to rest.
+/// Mean number of discs that fill such a box.
+double expected_discs(const Rock& rock, double width, double height);
+
+/// Throws `InputError` beginning with `source` when the box is too small for the discs (less than four largest
+/// diameters each way) or would hold more than ten million.
+void check_specimen_size(const Rock& rock, double width, double height, const std::string& source);
+
+/// Checks the size. Throws `SimulationError` when the packing does not come to rest.
 Specimen make_specimen(const Rock& rock, double width, double height, std::uint64_t seed, int threads,
                        const base::ProgressCallback& progress = {});
 

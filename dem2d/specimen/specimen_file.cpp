@@ -38,6 +38,7 @@ void write_specimen(const Specimen& specimen, const std::filesystem::path& path)
 
 Specimen read_specimen(const std::filesystem::path& path) {
   const base::Hdf5Reader file(path);
+  file.require_checksum();
   const auto refuse = [&](const std::string& why) {
     throw base::InputError(fmt::format("{}: {}", path.string(), why));
   };

@@ -19,11 +19,11 @@ struct Words {
 };
 
 base::Section describe(Bit& bit, Words& words) {
-  const base::Range window{.low = 0.0, .high = 360.0, .low_open = true};
+  const base::Range window = base::between(1.0, 360.0);
   const base::Range factor{.low = 0.0, .high = 2.0, .low_open = true};
   return {"bit",
           {{"name", &bit.name, 1.0, base::any(), "for people", true},
-           {"diameter_mm", &bit.diameter, millimetre, base::positive(), "diameter of the bit", true},
+           {"diameter_mm", &bit.diameter, millimetre, base::between(1.0, 1e4), "diameter of the bit", true},
            {"window_angle_deg", &bit.signal.window_angle, degree, window, "angle over which peaks are drawn together"},
            {"pulse_width_factor", &bit.signal.pulse_width_factor, 1.0, factor,
             "half-width of a peak over half the mean distance of peaks"},
@@ -34,11 +34,12 @@ base::Section describe(Bit& bit, Words& words) {
 }
 
 base::Section describe(Cutter& cutter, double bit_diameter) {
+  const base::Range width{.low = 0.0, .high = bit_diameter / millimetre, .low_open = true};
   const base::Range radius{.low = 0.0, .high = 0.5 * bit_diameter / millimetre, .low_open = true};
   return {
       "cutter",
       {{"radius_mm", &cutter.radius, millimetre, radius, "from the axis of the bit to the middle of the cutter", true},
-       {"width_mm", &cutter.width, millimetre, base::positive(), "effective width", true},
+       {"width_mm", &cutter.width, millimetre, width, "effective width", true},
        {"back_rake_deg", &cutter.back_rake, degree, base::between(0.0, 60.0), "back rake", true}}};
 }
 

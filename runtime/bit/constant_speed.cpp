@@ -18,6 +18,9 @@ constexpr double rpm = 2.0 * std::numbers::pi / 60.0;      // [rad/s]
 constexpr double metre_per_hour = 1.0 / 3600.0;            // [m/s]
 constexpr std::size_t samples_between_reports = 1u << 16;  // some milliseconds of work
 
+// No bit turns slower or faster while it drills; the limits keep angles and depths within what numbers can hold [rpm].
+constexpr double slowest = 0.01, fastest = 10000.0;
+
 void require_above_zero(double value, const char* name, const char* unit) {
   if (!(std::isfinite(value) && value > 0.0)) {
     throw base::InputError(fmt::format("{} = {:.6g} {} (must be finite and above 0)", name, value, unit));
@@ -25,7 +28,10 @@ void require_above_zero(double value, const char* name, const char* unit) {
 }
 
 std::size_t checked_samples(const ConstantSpeed& run) {
-  require_above_zero(run.rotation / rpm, "rotation", "rpm");
+  if (!(run.rotation >= slowest * rpm && run.rotation <= fastest * rpm)) {
+    throw base::InputError(fmt::format("rotation = {:.6g} rpm (must be at least {} and at most {})", run.rotation / rpm,
+                                       slowest, fastest));
+  }
   require_above_zero(run.duration, "duration", "s");
   require_above_zero(run.rate, "rate", "Hz");
   if (!(std::isfinite(run.rate_of_penetration) && run.rate_of_penetration >= 0.0)) {

@@ -51,9 +51,9 @@ TEST_F(Errors, RockAndCutFiles) {
   expect("specimen " + dir.path().string(), 2, "is a folder");
   expect("specimen " + changed(rock, "porosity", "porsity"), 2, "did you mean porosity?");
   expect("specimen " + changed(rock, "radius_min_mm = 0.5", "radius_min_mm = -0.5"), 2,
-         "changed.toml:11: discs.radius_min_mm = -0.5 (must be");
+         "changed.toml:13: discs.radius_min_mm = -0.5 (must be");
   expect("specimen " + changed(rock, "elements = 2", "elements = \"two\""), 2, "must be a whole number");
-  expect("specimen " + changed(rock, "[discs]", "[discs"), 2, "changed.toml:10");
+  expect("specimen " + changed(rock, "[discs]", "[discs"), 2, "changed.toml:12");
   expect("cut " + changed(example, "depth_of_cut_mm = 2", "depth_of_cut_mm = 30"), 2,
          "at most a third of bed.height_mm = 20");
   expect("cut " + changed(example, "cutter_speed_m_per_s = 0.5", "cutter_speed_m_per_s = nan"), 2,
@@ -107,6 +107,22 @@ TEST_F(Errors, TrainingDataAndModels) {
   expect("signal " + bit + " --model " + model + " --rpm nan --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2,
          "rpm");
   EXPECT_FALSE(fs::exists(dir / "f.csv"));
+}
+
+TEST_F(Errors, OutputsNeverReplaceInputs) {
+  const std::string csv = file("force.csv", "time_s,force\n0,0\n1,2\n2,1\n");
+  expect("peaks " + csv + " --json " + csv, 2, "would be overwritten");
+  expect("cut " + example + " -o " + (dir / "a.h5").string() + " --json " + (dir / "a.h5").string(), 2,
+         "would be overwritten");
+  expect("cut " + example + " -o ''", 2, "empty file name");
+  expect("train " + csv + " -o " + csv, 2, "case");  // read first: it is no training data
+}
+
+TEST_F(Errors, NumbersThatAreNone) {
+  expect("specimen " + rock + " --width-mm nan", 2, "must be a finite number above 0");
+  expect("specimen " + rock + " --width-mm 1e300 --check", 2, "at most 1e+07");
+  expect("predict x.json --speed-m-per-s '' --depth-mm 2 --rake-deg 15", 2, "must be a finite number");
+  expect("train x.csv --seed -1", 2, "not in range");
 }
 
 TEST_F(Errors, AFolderOfAnotherStudyIsLeftAlone) {

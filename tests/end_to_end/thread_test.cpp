@@ -91,6 +91,23 @@ TEST(Thread, TheSameCutGivesTheSameForceForOneAndTwoThreads) {
   EXPECT_EQ(peaks[0], peaks[1]);
 }
 
+TEST(Thread, ARockOfAnotherSeedIsNotUsed) {
+  const scratch::Folder dir("swapped");
+  std::string text = program::small_study();
+  text.replace(text.find("seeds = [3]"), 11, "seeds = [3, 4]");
+  base::write_whole(dir / "study.toml", text);
+  const std::string command =
+      "campaign run " + (dir / "study.toml").string() + " --dir " + (dir / "camp").string() + " --jobs 2";
+  ASSERT_EQ(run(command).status, 0);
+  fs::copy_file(dir / "camp/specimens/seed_3.h5", dir / "camp/specimens/seed_4.h5",
+                fs::copy_options::overwrite_existing);
+  fs::remove_all(dir / "camp/runs");
+  ASSERT_EQ(run(command).status, 0);
+  ASSERT_EQ(run("campaign collect " + (dir / "study.toml").string() + " --dir " + (dir / "camp").string()).status, 0);
+  const base::CsvTable features = base::read_csv(dir / "camp/features.csv");
+  EXPECT_NE(features.column("x_amax_N_per_m")[0], features.column("x_amax_N_per_m")[1]);
+}
+
 /// Starts the program without waiting for it.
 pid_t start(const std::vector<std::string>& arguments) {
   const pid_t child = ::fork();

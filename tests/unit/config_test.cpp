@@ -67,11 +67,19 @@ TEST(Config, MessagesNameLineKeyValueAndWhatIsAllowed) {
 
 TEST(Config, MissingAndUnknownKeysAreErrors) {
   EXPECT_EQ(message("[rock]\nname = 'x'"), "rock.toml:1: rock.radius_mm is missing (disc radius; above 0)");
+  EXPECT_EQ(message("[rock]\nradus_mm = 1"),
+            "rock.toml:1: rock.radius_mm is missing (disc radius; above 0); is it the unknown key radus_mm?");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\nelemnts = 3"),
             "rock.toml:3: rock.elemnts is unknown (no such key; did you mean elements?)");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\n[rcok]\na = 1"),
             "rock.toml:3: table [rcok] is unknown (no such key; did you mean rock?)");
   EXPECT_EQ(message("rock = 3"), "rock.toml:1: rock (must be a table [rock])");
+}
+
+TEST(Config, ALineThatCouldOverflowTheParserIsRefused) {
+  std::string key = "a";
+  for (int dots = 0; dots < 100000; ++dots) key += ".a";
+  EXPECT_EQ(message("[rock]\n" + key + " = 1"), "rock.toml:2: a line of 200005 characters (at most 10000 are allowed)");
 }
 
 TEST(Config, SyntaxErrorsCarryLineAndColumn) {

@@ -42,6 +42,10 @@ TEST(Csv, ToleratesCommentsBlanksQuotesAndWindowsLineEnds) {
   EXPECT_EQ(table.columns[1][0], 2.0);
 }
 
+TEST(Csv, SkipsAByteOrderMark) {
+  EXPECT_TRUE(base::read_csv(write("\xef\xbb\xbftime_s\n1\n")).has("time_s"));
+}
+
 TEST(Csv, RefusesWithPlace) {
   EXPECT_EQ(message(""), "table.csv: empty (a header line and rows are needed)");
   EXPECT_EQ(message("a,b\n"), "table.csv: only a header (at least one row is needed)");

@@ -25,7 +25,19 @@ TEST(Files, MissingFolderAndMissingFile) {
   EXPECT_THROW(base::read_whole("/nonexistent/file"), base::InputError);
   EXPECT_THROW(base::read_whole("/"), base::InputError);
   EXPECT_THROW(base::require_writable("/proc/no/file"), base::InputError);
-  EXPECT_THROW(base::write_whole("/nonexistent/file", "x"), base::SimulationError);
+  EXPECT_THROW(base::write_whole("/nonexistent/file", "x"), base::OutputError);
+  EXPECT_THROW(base::require_writable(""), base::InputError);
+  EXPECT_THROW(base::require_writable(std::string(300, 'x')), base::InputError);
+  const scratch::Folder folder("names");
+  EXPECT_THROW(base::require_writable((folder / "new").string() + "/"), base::InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+  EXPECT_NO_THROW(base::require_writable(folder / "new/file"));
+}
+
+TEST(Files, AnOutputMustBeNeitherInputNorAnotherOutput) {
+  EXPECT_NO_THROW(base::refuse_overwriting({"a", ""}, {"b", "", "/dev/null", "/dev/null"}));
+  EXPECT_THROW(base::refuse_overwriting({"a"}, {"./x/../a"}), base::InputError);
+  EXPECT_THROW(base::refuse_overwriting({"a"}, {"b", "./b"}), base::InputError);
 }
 
 }  // namespace

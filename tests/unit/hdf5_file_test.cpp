@@ -1,7 +1,11 @@
 // The HDF5 layer: values, units and attributes come back; equal content gives equal bytes; damage is reported.
 #include "base/hdf5_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -47,20 +51,50 @@ TEST(Hdf5, TruncatedAndForeignFilesAreRefused) {
   EXPECT_THROW(base::Hdf5Reader{path}, base::InputError);
 }
 
-TEST(Hdf5, AFlippedByteInAnArrayIsNoticed) {
-  const scratch::Folder folder("flip");
-  const auto path = folder / "flip.h5";
-  std::vector<double> values(20000);
-  std::uint64_t state = 1;
-  for (double& value : values)
-    value = static_cast<double>(state = state * 6364136223846793005ULL + 1442695040888963407ULL);
-  base::Hdf5Writer writer;
-  writer.array("/values", values, "1", "noise, so that the array is most of the file");
-  writer.save(path);
-  std::string bytes = base::read_whole(path);
-  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x10);
-  base::write_whole(path, bytes);
-  EXPECT_THROW(base::Hdf5Reader(path).doubles("/values"), base::InputError);
+TEST(Hdf5, AnyFlippedByteIsNoticedBeforeTheLibrarySeesIt) {
+  const auto path = save("flip.h5");
+  const std::string bytes = base::read_whole(path);
+  EXPECT_NO_THROW(base::Hdf5Reader(path).require_checksum());
+  for (std::size_t at = 0; at < bytes.size(); at += 7) {
+    std::string wrong = bytes;
+    wrong[at] = static_cast<char>(wrong[at] ^ 0x10);
+    base::write_whole(path, wrong);
+    const auto open_checked = [&path] { base::Hdf5Reader(path).require_checksum(); };
+    ASSERT_THROW(open_checked(), base::InputError) << "byte " << at;
+  }
+}
+
+TEST(Hdf5, AFileWithoutOurChecksumOpensButDoesNotPassForOurs) {
+  const auto path = save("foreign.h5");
+  const std::string bytes = base::read_whole(path);
+  base::write_whole(path, bytes.substr(0, bytes.size() - 24));
+  const base::Hdf5Reader reader(path);
+  EXPECT_EQ(reader.doubles("/force/x_N_per_m").size(), 3u);
+  EXPECT_THROW(reader.require_checksum(), base::InputError);
+}
+
+TEST(Hdf5, WritersInSeveralThreadsDoNotDisturbEachOther) {
+  const scratch::Folder folder("writers");
+  std::vector<std::thread> threads;
+  std::atomic<int> failures{0};
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&folder, &failures, t] {
+      try {
+        for (int k = 0; k < 20; ++k) {
+          base::Hdf5Writer first, second;  // open at the same time, also within one thread
+          first.array("/a", std::vector<double>{1.0 * t}, "1", "a");
+          second.array("/a", std::vector<double>{2.0 * t}, "1", "a");
+          first.save(folder / fmt::format("{}_{}_1.h5", t, k));
+          second.save(folder / fmt::format("{}_{}_2.h5", t, k));
+        }
+      } catch (const std::exception&) {
+        ++failures;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(failures, 0);
+  EXPECT_EQ(base::Hdf5Reader(folder / "3_19_2.h5").doubles("/a"), (std::vector<double>{6.0}));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "dem2d/cut/cut_case.hpp"
+#include "dem2d/cut/run_cut.hpp"
 #include "dem2d/output/run_file.hpp"
 
 namespace {
@@ -80,7 +81,29 @@ TEST(CutFile, RefusesACutThatDoesNotFitItsBed) {
   auto sparse = example();
   sparse.sampling_distance = 20e-3;
   EXPECT_NE(cut_message(sparse).find("sampling_distance_um"), std::string::npos);
+  auto dense = example();
+  dense.sampling_distance = 1e-300;
+  EXPECT_NE(cut_message(dense).find("samples, at most"), std::string::npos);
+  auto thin = example();
+  thin.bed_height = 5e-3;
+  thin.depth_of_cut = 1e-3;
+  EXPECT_NE(cut_message(thin).find("at least 4 diameters"), std::string::npos);
+  auto huge = example();
+  huge.bed_length = 1e3;
+  EXPECT_NE(cut_message(huge).find("at most 1e+07"), std::string::npos);
   EXPECT_EQ(cut_message(example()), "accepted");
+}
+
+TEST(CutFile, StepsFillTheSamplingIntervalAndAreLimited) {
+  const auto cut = example();
+  const dem2d::CutSchedule plan = dem2d::plan_steps(cut, 3.7e-7);
+  EXPECT_LE(plan.step, 3.7e-7);
+  EXPECT_DOUBLE_EQ(plan.step * plan.steps_per_sample, 20e-6 / 0.5);
+  EXPECT_EQ(plan.samples, 2000);
+  auto crawling = cut;
+  crawling.cutter_speed = 1e-9;
+  EXPECT_THROW(dem2d::plan_steps(crawling, 3.7e-7), base::InputError);
+  EXPECT_THROW(dem2d::plan_steps(cut, 0.0), base::InputError);
 }
 
 TEST(CutFile, ResolvedTextReadsBackAndDecidesTheHash) {

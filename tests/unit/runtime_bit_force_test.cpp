@@ -282,8 +282,9 @@ TEST(ConstantSpeed, RefusesWhatItCannotDo) {
     return message(run);
   };
   EXPECT_EQ(message(good), "accepted");
-  EXPECT_EQ(with(&runtime::ConstantSpeed::rotation, 0.0), "rotation = 0 rpm (must be finite and above 0)");
-  EXPECT_EQ(with(&runtime::ConstantSpeed::rotation, not_a_number), "rotation = nan rpm (must be finite and above 0)");
+  EXPECT_EQ(with(&runtime::ConstantSpeed::rotation, 0.0), "rotation = 0 rpm (must be at least 0.01 and at most 10000)");
+  EXPECT_EQ(with(&runtime::ConstantSpeed::rotation, not_a_number),
+            "rotation = nan rpm (must be at least 0.01 and at most 10000)");
   EXPECT_EQ(with(&runtime::ConstantSpeed::rate_of_penetration, -1.0 / 3600.0),
             "rate of penetration = -1 m/h (must be finite and 0 or more)");
   EXPECT_EQ(with(&runtime::ConstantSpeed::rate_of_penetration, not_a_number),

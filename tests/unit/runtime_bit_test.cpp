@@ -63,7 +63,7 @@ TEST(BitFile, RefusalsNameLineKeyValueAndWhatIsAllowed) {
   EXPECT_EQ(message(bit_table + cutter_table + "[[cutter]]\nradius_mm = 0\nwidth_mm = 1\nback_rake_deg = 20"),
             "bit.toml:9: cutter.radius_mm = 0 (must be above 0 and at most 100; entry 2 of [[cutter]])");
   EXPECT_EQ(message(bit_table + "[[cutter]]\nradius_mm = 50\nwidth_mm = 0\nback_rake_deg = 20"),
-            "bit.toml:6: cutter.width_mm = 0 (must be above 0; entry 1 of [[cutter]])");
+            "bit.toml:6: cutter.width_mm = 0 (must be above 0 and at most 200; entry 1 of [[cutter]])");
   EXPECT_EQ(message(bit_table + "combine = 'mean'\n" + cutter_table),
             "bit.toml:4: bit.combine = 'mean' (must be 'sum' or 'max')");
   EXPECT_EQ(message(bit_table + "amplitude_fit = 'paper'\n" + cutter_table),
@@ -71,12 +71,12 @@ TEST(BitFile, RefusalsNameLineKeyValueAndWhatIsAllowed) {
   EXPECT_EQ(message(bit_table + "pulse_width_factor = 3\n" + cutter_table),
             "bit.toml:4: bit.pulse_width_factor = 3 (must be above 0 and at most 2)");
   EXPECT_EQ(message(bit_table + "window_angle_deg = 0\n" + cutter_table),
-            "bit.toml:4: bit.window_angle_deg = 0 (must be above 0 and at most 360)");
+            "bit.toml:4: bit.window_angle_deg = 0 (must be at least 1 and at most 360)");
   EXPECT_EQ(message(bit_table + "seed = -1\n" + cutter_table), "bit.toml:4: bit.seed = -1 (must be at least 0)");
   EXPECT_EQ(message(bit_table + cutter_table + "back_rak_deg = 3"),
             "bit.toml:8: cutter.back_rak_deg is unknown (no such key; did you mean back_rake_deg?)");
   EXPECT_EQ(message("[bit]\nname = 'b'\n" + cutter_table),
-            "bit.toml:1: bit.diameter_mm is missing (diameter of the bit; above 0)");
+            "bit.toml:1: bit.diameter_mm is missing (diameter of the bit; at least 1 and at most 10000)");
 }
 
 TEST(ShippedBit, IsItsOwnRecipe) {
