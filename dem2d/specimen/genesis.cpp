@@ -10,6 +10,7 @@
 #include "base/random.hpp"
 #include "base/stop.hpp"
 #include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/pairs.hpp"
 #include "dem2d/step/step.hpp"
 
 namespace dem2d {

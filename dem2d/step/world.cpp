@@ -1,5 +1,7 @@
 #include "dem2d/step/world.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace dem2d {
@@ -16,6 +18,29 @@ void add_disc(Discs& discs, double x, double y, double radius, double density) {
                                     &discs.force_y, &discs.moment}) {
     zero->push_back(0.0);
   }
+}
+
+void add_joint(World& world, int disc1, int disc2, const JointProperties& properties) {
+  FlatJoints& joints = world.joints;
+  const Discs& discs = world.discs;
+  const auto i = static_cast<std::size_t>(disc1), j = static_cast<std::size_t>(disc2);
+  const double kn = properties.modulus / (discs.radius[i] + discs.radius[j]);
+  joints.disc1.push_back(disc1);
+  joints.disc2.push_back(disc2);
+  joints.half_length.push_back(properties.radius_multiplier * std::min(discs.radius[i], discs.radius[j]));
+  joints.normal_stiffness.push_back(kn);
+  joints.shear_stiffness.push_back(kn / properties.stiffness_ratio);
+  joints.tensile_strength.push_back(properties.tensile_strength);
+  joints.cohesion.push_back(properties.cohesion);
+  joints.tan_friction_angle.push_back(std::tan(properties.friction_angle));
+  joints.friction.push_back(properties.friction);
+  const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
+  joints.stress_free_distance.push_back(std::sqrt(dx * dx + dy * dy));  // rounds as in the force pass: gap exactly 0
+  joints.stress_free_rotation.push_back(discs.angle[j] - discs.angle[i]);
+  joints.shear_displacement.push_back(0.0);
+  joints.bonded.push_back(joints.elements);
+  joints.shear_stress.insert(joints.shear_stress.end(), static_cast<std::size_t>(joints.elements), 0.0);
+  joints.state.insert(joints.state.end(), static_cast<std::size_t>(joints.elements), ElementState::bonded);
 }
 
 FlatJointLaw FlatJoints::law(int joint) const {

@@ -48,6 +48,16 @@ struct FlatJoints {
   FlatJointLaw law(int joint) const;
 };
 
+struct JointProperties {
+  double modulus;            ///< E* [Pa]
+  double stiffness_ratio;    ///< kappa [1]
+  double radius_multiplier;  ///< lambda [1]
+  double tensile_strength;   ///< [Pa]
+  double cohesion;           ///< [Pa]
+  double friction_angle;     ///< [rad]
+  double friction;           ///< [1]
+};
+
 /// Pairs of discs near enough to meet before the lists are made anew; sorted by (disc1, disc2), disc1 < disc2.
 struct LinearContacts {
   std::vector<int> disc1, disc2;
@@ -127,5 +137,8 @@ struct World {
   int removed_discs = 0;
   double injected_energy = 0.0;  ///< net, by contacts that took over from joints [J/m]
 };
+
+/// Joins two discs at their present distance and angles, stress-free.
+void add_joint(World& world, int disc1, int disc2, const JointProperties& properties);
 
 }  // namespace dem2d

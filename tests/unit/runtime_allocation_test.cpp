@@ -2,15 +2,16 @@
 #include <gtest/gtest.h>
 
 #include "runtime/bit/bit_force.hpp"
+#include "tests/allocations.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
 namespace {
 
 TEST(Allocation, TheCounterCounts) {
-  const long before = runtime_test::allocations_so_far();
+  const long before = allocations::so_far();
   const std::vector<double> memory(1000, 1.0);
   EXPECT_EQ(memory[999], 1.0);
-  EXPECT_GT(runtime_test::allocations_so_far(), before);
+  EXPECT_GT(allocations::so_far(), before);
 }
 
 TEST(Allocation, EvaluationTakesNone) {
@@ -22,13 +23,13 @@ TEST(Allocation, EvaluationTakesNone) {
     bit.signal.pulse_width_factor = 2.0;
     runtime::BitForce force(bit, runtime_test::constant_model(statistics));
     double largest = 0.0;
-    const long before = runtime_test::allocations_so_far();
+    const long before = allocations::so_far();
     for (int i = 0; i < 2000; ++i) {
       const double angle = i < 1000 ? 0.05 * i : 0.05 * (2000 - i);  // there and back, over many windows
       const runtime::BitLoad load = force.at({.angle = angle, .rotation = 6.0, .rate_of_penetration = 2e-3});
       largest = std::max(largest, load.torque);
     }
-    EXPECT_EQ(runtime_test::allocations_so_far(), before);
+    EXPECT_EQ(allocations::so_far(), before);
     EXPECT_GT(largest, 0.0);
   }
 }

@@ -10,9 +10,6 @@
 
 namespace runtime_test {
 
-/// Calls of operator new by this program (`runtime_counting_new.cpp`).
-long allocations_so_far();
-
 /// Some 30 peaks on 0.1 m of cut, 0.36 amax in the mean.
 inline runtime::PeakStatistics usual_statistics() {
   return {.amax = 3e5, .amean = 1.1e5, .np1 = 33.0, .np23 = 101.0, .np4 = 160.0};

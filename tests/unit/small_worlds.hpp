@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/pairs.hpp"
 #include "dem2d/step/world.hpp"
 
 namespace small_worlds {

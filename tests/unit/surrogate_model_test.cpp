@@ -6,14 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/unit/surrogate_allocations.hpp"
+#include "tests/allocations.hpp"
 #include "tests/unit/surrogate_fixture.hpp"
 
 namespace {
 
 using surrogate::CutConditions;
 using surrogate::Prediction;
-using surrogate_fixture::allocations;
 using surrogate_fixture::linear_model;
 
 constexpr double degree = surrogate::radians_per_degree;
@@ -90,15 +89,15 @@ TEST(SurrogateModel, PredictingAndClampingTakeNoMemory) {
     output.network.layers = {3, 64, 64, 1};
     surrogate::initialise(output.network, random);
   }
-  const long before = allocations();
+  const long before = allocations::so_far();
   double sum = 0.0;
   for (int i = 0; i < 100; ++i) {
     sum += predict(model, clamped_to_training_range(model, {0.04 * i, 3e-3, 25 * degree})).x.amax;
   }
-  EXPECT_EQ(allocations() - before, 0);
+  EXPECT_EQ(allocations::so_far() - before, 0);
   EXPECT_TRUE(std::isfinite(sum));
   const std::vector<double> counted(10);
-  EXPECT_EQ(allocations() - before, 1) << "the counter itself does not count";
+  EXPECT_EQ(allocations::so_far() - before, 1) << "the counter itself does not count";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tests/unit/surrogate_allocations.hpp"
+#include "tests/allocations.hpp"
 
 #include <cstdlib>
 #include <new>
@@ -20,10 +20,10 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-namespace surrogate_fixture {
+namespace allocations {
 
-long allocations() {
+long so_far() {
   return count;
 }
 
-}  // namespace surrogate_fixture
+}  // namespace allocations

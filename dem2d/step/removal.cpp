@@ -1,0 +1,156 @@
+#include "dem2d/step/removal.hpp"
+
+#include <cmath>
+
+namespace dem2d {
+
+namespace {
+
+/// Keeps the entries whose flag is set, in order.
+template <class T>
+void keep(std::vector<T>& values, const std::vector<char>& flags, std::size_t entries_each = 1) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    if (flags[i] == 0) continue;
+    for (std::size_t e = 0; e < entries_each; ++e) values[kept * entries_each + e] = values[i * entries_each + e];
+    ++kept;
+  }
+  values.resize(kept * entries_each);
+}
+
+void keep_joints(FlatJoints& joints, const std::vector<char>& flags) {
+  keep(joints.disc1, flags);
+  keep(joints.disc2, flags);
+  keep(joints.bonded, flags);
+  for (std::vector<double>* values :
+       {&joints.half_length, &joints.normal_stiffness, &joints.shear_stiffness, &joints.tensile_strength,
+        &joints.cohesion, &joints.tan_friction_angle, &joints.friction, &joints.stress_free_distance,
+        &joints.stress_free_rotation, &joints.shear_displacement}) {
+    keep(*values, flags);
+  }
+  keep(joints.shear_stress, flags, static_cast<std::size_t>(joints.elements));
+  keep(joints.state, flags, static_cast<std::size_t>(joints.elements));
+}
+
+void keep_contacts(LinearContacts& contacts, const std::vector<char>& flags) {
+  keep(contacts.disc1, flags);
+  keep(contacts.disc2, flags);
+  keep(contacts.normal_stiffness, flags);
+  keep(contacts.dashpot, flags);
+  keep(contacts.shear_force, flags);
+}
+
+/// Where the two discs of a joint are to each other.
+struct JointGeometry {
+  double distance;  ///< between centres [m]
+  double overlap;   ///< of the discs, negative when apart [m]
+  double opening;   ///< of the faces at their middle [m]
+  double rotation;  ///< [rad]
+};
+
+JointGeometry joint_geometry(const World& world, std::size_t joint) {
+  const FlatJoints& joints = world.joints;
+  const Discs& d = world.discs;
+  const auto i = static_cast<std::size_t>(joints.disc1[joint]), j = static_cast<std::size_t>(joints.disc2[joint]);
+  const double distance = std::hypot(d.x[j] - d.x[i], d.y[j] - d.y[i]);
+  return {.distance = distance,
+          .overlap = d.radius[i] + d.radius[j] - distance,
+          .opening = distance - joints.stress_free_distance[joint],
+          .rotation = d.angle[j] - d.angle[i] - joints.stress_free_rotation[joint]};
+}
+
+bool joint_is_over(const World& world, std::size_t joint) {
+  const FlatJoints& joints = world.joints;
+  if (joints.bonded[joint] > 0) return false;
+  const JointGeometry now = joint_geometry(world, joint);
+  const double half = joints.half_length[joint];
+  if (std::fabs(joints.shear_displacement[joint]) > 2.0 * half || now.opening > 2.0 * half) return true;
+  const bool open_everywhere = now.opening - std::fabs(now.rotation) * half > 0.0;
+  return open_everywhere && -now.overlap > world.skin;
+}
+
+/// Elastic energy in a joint [J/m].
+double joint_energy(const World& world, std::size_t joint) {
+  const JointGeometry now = joint_geometry(world, joint);
+  const FlatJointLaw law = world.joints.law(static_cast<int>(joint));
+  const double length = 2.0 * law.half_length / law.elements;
+  double energy = 0.0;
+  for (int e = 0; e < law.elements; ++e) {
+    const double start = -law.half_length + length * e;
+    const auto element = joint * static_cast<std::size_t>(law.elements) + static_cast<std::size_t>(e);
+    energy +=
+        stored_energy(law, length, now.opening - now.rotation * start, now.opening - now.rotation * (start + length),
+                      world.joints.state[element], world.joints.shear_stress[element]);
+  }
+  return energy;
+}
+
+/// Elastic energy that the linear contact of two discs starts with when it takes over from a joint [J/m].
+double contact_energy(const World& world, std::size_t joint) {
+  const double overlap = joint_geometry(world, joint).overlap;
+  if (overlap <= 0.0) return 0.0;
+  const Discs& d = world.discs;
+  const auto i = static_cast<std::size_t>(world.joints.disc1[joint]),
+             j = static_cast<std::size_t>(world.joints.disc2[joint]);
+  return 0.5 * linear_normal_stiffness(world.contact_modulus, d.radius[i], d.radius[j]) * overlap * overlap;
+}
+
+}  // namespace
+
+void end_finished_joints(World& world) {
+  std::vector<char> stays(world.joints.disc1.size(), 1);
+  bool any_over = false;
+  for (std::size_t joint = 0; joint < stays.size(); ++joint) {
+    if (!joint_is_over(world, joint)) continue;
+    stays[joint] = 0;
+    any_over = true;
+    world.injected_energy += contact_energy(world, joint) - joint_energy(world, joint);
+  }
+  if (any_over) keep_joints(world.joints, stays);
+}
+
+void remove_lost_discs(World& world) {
+  Discs& discs = world.discs;
+  const Domain& box = world.domain;
+  std::vector<char> stays(discs.x.size(), 1);
+  std::vector<int> renumbered(discs.x.size(), -1);
+  int kept = 0;
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    // NaN counts as staying, so that require_finite reports it instead of a disc silently vanishing.
+    const bool lost =
+        discs.x[i] < box.x_low || discs.x[i] > box.x_high || discs.y[i] < box.y_low || discs.y[i] > box.y_high;
+    stays[i] = lost ? 0 : 1;
+    if (!lost) renumbered[i] = kept++;
+  }
+  if (kept == discs.count()) return;
+  world.removed_discs += discs.count() - kept;
+
+  const auto both_stay = [&stays](const std::vector<int>& a, const std::vector<int>& b) {
+    std::vector<char> flags(a.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      flags[k] = stays[static_cast<std::size_t>(a[k])] != 0 && stays[static_cast<std::size_t>(b[k])] != 0 ? 1 : 0;
+    }
+    return flags;
+  };
+  const auto renumber = [&renumbered](std::vector<int>& indices) {
+    for (int& index : indices) index = renumbered[static_cast<std::size_t>(index)];
+  };
+  keep_joints(world.joints, both_stay(world.joints.disc1, world.joints.disc2));
+  keep_contacts(world.contacts, both_stay(world.contacts.disc1, world.contacts.disc2));
+  for (std::vector<int>* indices :
+       {&world.joints.disc1, &world.joints.disc2, &world.contacts.disc1, &world.contacts.disc2}) {
+    renumber(*indices);
+  }
+  for (Boundary& boundary : world.boundaries) {
+    keep(boundary.shear_force, stays);
+    keep(boundary.reference_overlap, stays);
+  }
+  keep(discs.id, stays);
+  for (std::vector<double>* values :
+       {&discs.x, &discs.y, &discs.angle, &discs.velocity_x, &discs.velocity_y, &discs.spin, &discs.force_x,
+        &discs.force_y, &discs.moment, &discs.radius, &discs.mass, &discs.inertia, &world.listed_x, &world.listed_y}) {
+    keep(*values, stays);
+  }
+}
+
+}  // namespace dem2d

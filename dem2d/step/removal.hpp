@@ -1,0 +1,20 @@
+#pragma once
+/// What leaves the world when the neighbour lists are made anew: discs outside the domain, and joints that are over.
+///
+/// A joint is over when none of its elements is bonded and either its faces have slid or opened by more than their
+/// length 2R, or the faces are open everywhere and the discs are farther apart than the skin: from then on the two are
+/// ordinary loose discs. Source of the first rule: [Potyondy2015]; the second saves keeping joints between fragments
+/// that flew apart. The rule is looked at only when lists are made anew. The change of elastic energy when a linear
+/// contact takes over from a joint (its overlap, less what the joint still held) adds up in `World::injected_energy`.
+
+#include "dem2d/step/world.hpp"
+
+namespace dem2d {
+
+/// Removes discs outside the domain with their joints and contacts; the others keep order, histories and ids.
+void remove_lost_discs(World& world);
+
+/// Ends the joints that are over and adds up the energy this injects.
+void end_finished_joints(World& world);
+
+}  // namespace dem2d
