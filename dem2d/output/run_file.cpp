@@ -23,6 +23,7 @@ constexpr int physics_version = 1;
 template <class Value, class Get>
 std::vector<Value> collect(const std::vector<Crack>& cracks, const Get& get) {
   std::vector<Value> values;
+  values.reserve(cracks.size());
   for (const Crack& crack : cracks) values.push_back(get(crack));
   return values;
 }

@@ -106,9 +106,13 @@ void draw_cutter(cairo_t* cairo, const Page& page, const RunFile& run, double be
   cairo_fill(cairo);
 }
 
-/// Lowest multiple of `tick` [mm] at or above `low` [m]; adding zero turns -0 into 0.
-double first_tick(double low, double tick) {
-  return std::ceil(low * 1e3 / tick) * tick + 0.0;
+/// Multiples of `tick` [mm] within `low` to `high` [m]; adding zero turns -0 into 0.
+std::vector<double> ticks_within(double low, double high, double tick) {
+  std::vector<double> ticks;
+  const int first = static_cast<int>(std::ceil(low * 1e3 / tick)),
+            last = static_cast<int>(std::floor(high * 1e3 / tick));
+  for (int k = first; k <= last; ++k) ticks.push_back(k * tick + 0.0);
+  return ticks;
 }
 
 void draw_axes(cairo_t* cairo, const Page& page) {
@@ -119,14 +123,14 @@ void draw_axes(cairo_t* cairo, const Page& page) {
   cairo_stroke(cairo);
   const double span = (page.x_high - page.x_low) * 1e3;
   const double tick = span > 100.0 ? 20.0 : span > 40.0 ? 10.0 : span > 15.0 ? 5.0 : 1.0;  // [mm]
-  for (double at = first_tick(page.x_low, tick); at <= page.x_high * 1e3; at += tick) {
+  for (const double at : ticks_within(page.x_low, page.x_high, tick)) {
     const double x = page.px(at * 1e-3), y = page.py(page.y_low);
     cairo_move_to(cairo, x, y);
     cairo_line_to(cairo, x, y + 6.0);
     cairo_stroke(cairo);
     centred_text(cairo, x, y + 24.0, fmt::format("{:g}", at));
   }
-  for (double at = first_tick(page.y_low, tick); at <= page.y_high * 1e3; at += tick) {
+  for (const double at : ticks_within(page.y_low, page.y_high, tick)) {
     const double x = page.px(page.x_low), y = page.py(at * 1e-3);
     cairo_move_to(cairo, x, y);
     cairo_line_to(cairo, x - 6.0, y);

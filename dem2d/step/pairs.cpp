@@ -1,6 +1,7 @@
 #include "dem2d/step/pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dem2d {
 
@@ -22,13 +23,18 @@ CellGrid sort_into_cells(const Discs& discs, double reach) {
   const auto [y_low, y_high] = std::minmax_element(discs.y.begin(), discs.y.end());
   grid.x_low = *x_low;
   grid.y_low = *y_low;
-  grid.size = reach;
-  grid.columns = static_cast<int>((*x_high - *x_low) / reach) + 1;
-  grid.rows = static_cast<int>((*y_high - *y_low) / reach) + 1;
+  // A few discs flung far away would make a huge grid of empty cells: cells grow until there are about four a disc.
+  const double width = *x_high - *x_low, height = *y_high - *y_low;
+  const double discs_count = static_cast<double>(discs.x.size());
+  grid.size =
+      std::max({reach, std::sqrt(width * height / (4.0 * discs_count)), std::max(width, height) / (4.0 * discs_count)});
+  grid.columns = static_cast<int>(width / grid.size) + 1;
+  grid.rows = static_cast<int>(height / grid.size) + 1;
   const auto cell_of = [&](std::size_t i) {
-    return static_cast<std::size_t>(grid.row(discs.y[i]) * grid.columns + grid.column(discs.x[i]));
+    return static_cast<std::size_t>(grid.row(discs.y[i])) * static_cast<std::size_t>(grid.columns) +
+           static_cast<std::size_t>(grid.column(discs.x[i]));
   };
-  grid.first.assign(static_cast<std::size_t>(grid.columns * grid.rows) + 1, 0);
+  grid.first.assign(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows) + 1, 0);
   for (std::size_t i = 0; i < discs.x.size(); ++i) ++grid.first[cell_of(i) + 1];
   for (std::size_t c = 1; c < grid.first.size(); ++c) grid.first[c] += grid.first[c - 1];
   grid.disc.resize(discs.x.size());

@@ -37,6 +37,14 @@ TEST(Neighbours, PairsAgreeWithBruteForce) {
   EXPECT_GT(next, 100u);
 }
 
+TEST(Neighbours, AFewDiscsFarAwayDoNotHideTheOthersOrFillTheMemory) {
+  dem2d::Discs discs;
+  for (int i = 0; i < 5; ++i) dem2d::add_disc(discs, 2e-3 * i, 0.0, 1e-3, 2500.0);
+  dem2d::add_disc(discs, 1e5, -1e5, 1e-3, 2500.0);
+  dem2d::add_disc(discs, -1e5, 1e5, 1e-3, 2500.0);
+  EXPECT_EQ(dem2d::pairs_within(discs, 1e-6).disc1.size(), 4u);
+}
+
 TEST(Neighbours, AJoinedPairHasNoLinearContactAndALoosePairHas) {
   dem2d::World world = small_worlds::chain(3);
   dem2d::add_disc(world.discs, 2.5e-3, 1.5e-3, 1e-3, 2500.0);  // rests on the second and third disc, unjoined
