@@ -1,6 +1,5 @@
 // bitrock campaign: a grid of cuts, resumable, one cut a core.
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <numbers>
 
@@ -43,12 +42,12 @@ void parse_shard(const std::string& text, campaigns::RunOptions& run) {
   if (!good) throw base::InputError(fmt::format("--shard {} (write i/n with 1 <= i <= n, e.g. 2/8)", text));
 }
 
-void print_job(const campaigns::JobReport& report, double elapsed) {
+void print_job(const campaigns::JobReport& report, double core_seconds, int workers) {
   const campaigns::Job& job = *report.job;
   const std::string name =
       fmt::format("case {} seed {}: {:g} m/s, {:g} mm, {:g} deg", job.case_number, job.seed, job.cut.cutter_speed,
                   job.cut.depth_of_cut * 1e3, std::round(job.cut.back_rake * 1.8e8 / std::numbers::pi) / 1e6);
-  const double left = elapsed / report.share_done * (1.0 - report.share_done);
+  const double left = core_seconds / report.share_done * (1.0 - report.share_done) / workers;
   if (report.failed) {
     fmt::print("[{}/{}] {} FAILED: {}\n", report.finished, report.total, name, report.message);
   } else {
@@ -65,10 +64,11 @@ void run_campaign(const Options& options) {
   const std::filesystem::path folder = options.folder;
   require_outputs(options.common, {options.study_file, folder / "study.toml", folder / "features.csv"}, {});
   if (options.common.check) return print(options, campaigns::status(study, options.folder));
-  const auto start = std::chrono::steady_clock::now();
+  double core_seconds = 0.0;  // of the jobs of this call
   if (!options.common.quiet) {
     run.on_job = [&](const campaigns::JobReport& report) {
-      print_job(report, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+      core_seconds += report.wall_time;
+      print_job(report, core_seconds, std::min(options.workers, report.total));
     };
     run.on_stage = [](const std::string& text) {
       fmt::print("{}\n", text);

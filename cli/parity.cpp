@@ -56,7 +56,7 @@ void run(const Options& options) {
   }
   if (!options.report_file.empty()) {
     report::Page page("Network against DEM", model.rock);
-    page.section("Parity", "On the line the network says what the DEM gave; the band is +-15 %.");
+    page.section("Parity", "On the line the network says what the DEM gave; the band is \u00b115 %.");
     add_parity(page, model, data, parity);
     page.section("Learning");
     add_learning_curves(page, model);

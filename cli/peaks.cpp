@@ -37,13 +37,28 @@ History from_csv(const Options& options) {
   const base::CsvTable table = base::read_csv(options.file);
   History history;
   history.column = options.column;
-  for (const std::string& name : table.names) {
-    if (history.column.empty() && name != "time_s") history.column = name;
+  if (history.column.empty()) {
+    std::vector<std::string> forces;
+    for (const std::string& name : table.names) {
+      if (name != "time_s") forces.push_back(name);
+    }
+    if (forces.size() != 1) {
+      throw base::InputError(
+          fmt::format("{}: which column? (choose with --column: {})", options.file, fmt::join(forces, ", ")));
+    }
+    history.column = forces.front();
   }
-  if (history.column.empty()) throw base::InputError(options.file + ": no column beside time_s");
   history.force = table.column(history.column);
   if (table.has("time_s")) history.time = table.column("time_s");
   return history;
+}
+
+/// The unit a column's name ends in, as far as forces have one; empty otherwise.
+std::string unit_of(const std::string& column) {
+  for (const auto& [ending, unit] : {std::pair{"_N_per_m", " N/m"}, std::pair{"_N_m", " N m"}, std::pair{"_N", " N"}}) {
+    if (column.ends_with(ending)) return unit;
+  }
+  return "";
 }
 
 void run(const Options& options) {
@@ -61,8 +76,9 @@ void run(const Options& options) {
                     {"time_s", history.time.empty() ? nlohmann::json() : nlohmann::json(history.time[i])},
                     {"height", history.force[i]}});
   }
-  say(options.common, "{} of {}: {} samples, {} peaks\nA_max {:.6g}, A_mean {:.6g}, NP1 {}, NP23 {}, NP4 {}\n",
-      history.column, options.file, history.force.size(), s.count(), s.amax, s.amean, s.np1, s.np23, s.np4);
+  say(options.common, "{} of {}: {} samples, {} peaks\nA_max {:.6g}{}, A_mean {:.6g}{}, NP1 {}, NP23 {}, NP4 {}\n",
+      history.column, options.file, history.force.size(), s.count(), s.amax, unit_of(history.column), s.amean,
+      unit_of(history.column), s.np1, s.np23, s.np4);
   write_json(options.common, {{"column", history.column},
                               {"amax", s.amax},
                               {"amean", s.amean},
@@ -80,7 +96,7 @@ void add_peaks(CLI::App& app) {
   CLI::App* command = app.add_subcommand("peaks", "peak statistics of a run file or of any CSV force history");
   command->add_option("file", options->file, "run.h5, or a CSV with a header")->required();
   command->add_option("--column", options->column,
-                      "which force (default: x_N_per_m, or the first CSV column that is not time_s)");
+                      "which force (default: x_N_per_m, or the only CSV column beside time_s)");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

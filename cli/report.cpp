@@ -37,9 +37,10 @@ std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
 void add_cut_chapters(report::Page& page, const std::vector<dem2d::RunFile>& runs) {
   page.section(
       "Cuts",
-      fmt::format("One cutter moves in a straight line through {} synthetic-rock discs at a time. x is along the cut, "
-                  "y out of the rock; both forces are of the rock on the cutter, per metre of width.",
-                  runs.front().run.discs));
+      fmt::format(
+          "One cutter moves in a straight line through a bed of {} discs, one cut at a time. x is along the cut, "
+          "y out of the rock; both forces are of the rock on the cutter, per metre of width.",
+          runs.front().run.discs));
   add_cut_table(page, runs);
   page.section(
       "Forces and their peaks",
@@ -82,7 +83,7 @@ void run(const Options& options) {
     add_learning_curves(page, model);
     if (std::filesystem::exists(data_file)) {
       const surrogate::TrainingData data = surrogate::read_training_data(data_file);
-      page.section("Network against DEM", "On the line the network says what the DEM gave; the band is +-15 %.");
+      page.section("Network against DEM", "On the line the network says what the DEM gave; the band is \u00b115 %.");
       add_parity(page, model, data, surrogate::parity(model, data));
     }
   }
@@ -90,7 +91,10 @@ void run(const Options& options) {
     page.section(
         "The whole bit",
         "Every cutter rebuilds its own force history from the peak statistics, with its own random numbers; the bit is "
-        "their sum. Positive force pushes the bit off the rock, positive torque resists its rotation.");
+        "their sum. Positive force pushes the bit off the rock, positive torque resists its rotation. These are sharp "
+        "cutters in the simulated rock, without friction under worn ones: not the load of a field bit. The rebuilt "
+        "mean "
+        "is half of A_mean times the pulse width factor, which is not the mean force of the simulated cuts.");
     add_bit_force(page, bit_file, folder / "bit_force.json");
   }
   base::write_whole(options.output, page.html());

@@ -55,23 +55,35 @@ report::Plot force_plot(const std::string& title, const std::string& axis, const
   return plot;
 }
 
+/// Share of the samples above the height at which peaks begin to count.
+double share_in_contact(const std::vector<double>& force, double amax) {
+  const auto touching = std::count_if(force.begin(), force.end(),
+                                      [amax](double value) { return value > peaks::height_threshold * amax; });
+  return static_cast<double>(touching) / static_cast<double>(std::max<std::size_t>(1, force.size()));
+}
+
 }  // namespace
 
 void add_cut_table(report::Page& page, const std::vector<dem2d::RunFile>& runs) {
   report::Table table{
-      .caption = "Cuts. Forces are per metre of width; counts are NP1 + NP23 + NP4.",
+      .caption =
+          "Cuts. Forces are per metre of width; counts are NP1 + NP23 + NP4. In contact: share of the travel with more "
+          "than 1 % of A_max. The specific energy is per nominal depth; chips break out deeper. Cracks are elements "
+          "of joints, those of chips included.",
       .header = {"speed [m/s]", "depth [mm]", "rake [deg]", "seed", "mean Fx [kN/m]", "mean Fy [kN/m]",
-                 "spec. energy [MPa]", "Fx A_max [kN/m]", "Fx A_mean [kN/m]", "Fx peaks", "cracks tension / shear"}};
+                 "spec. energy [MPa]", "in contact [%]", "Fx A_max [kN/m]", "Fx A_mean [kN/m]", "Fx peaks",
+                 "cracks tension / shear"}};
   for (const dem2d::RunFile& file : runs) {
     const peaks::PeakStatistics x = peaks::peak_statistics(file.run.force_x);
-    table.rows.push_back({fmt::format("{:g}", file.cut.cutter_speed),
-                          fmt::format("{:g}", std::round(file.cut.depth_of_cut * 1e9) / 1e6),
-                          fmt::format("{:g}", std::round(file.cut.back_rake * 1.8e8 / std::numbers::pi) / 1e6),
-                          std::to_string(file.seed), fmt::format("{:.1f}", file.run.mean_force_x * kilo),
-                          fmt::format("{:.1f}", file.run.mean_force_y * kilo),
-                          fmt::format("{:.1f}", file.run.specific_energy * 1e-6), fmt::format("{:.0f}", x.amax * kilo),
-                          fmt::format("{:.1f}", x.amean * kilo), fmt::format("{} + {} + {}", x.np1, x.np23, x.np4),
-                          fmt::format("{} / {}", file.run.cracks_tensile, file.run.cracks_shear)});
+    table.rows.push_back(
+        {fmt::format("{:g}", file.cut.cutter_speed), fmt::format("{:g}", std::round(file.cut.depth_of_cut * 1e9) / 1e6),
+         fmt::format("{:g}", std::round(file.cut.back_rake * 1.8e8 / std::numbers::pi) / 1e6),
+         std::to_string(file.seed), fmt::format("{:.1f}", file.run.mean_force_x * kilo),
+         fmt::format("{:.1f}", file.run.mean_force_y * kilo), fmt::format("{:.1f}", file.run.specific_energy * 1e-6),
+         fmt::format("{:.0f}", 100.0 * share_in_contact(file.run.force_x, x.amax)),
+         fmt::format("{:.0f}", x.amax * kilo), fmt::format("{:.1f}", x.amean * kilo),
+         fmt::format("{} + {} + {}", x.np1, x.np23, x.np4),
+         fmt::format("{} / {}", file.run.cracks_tensile, file.run.cracks_shear)});
   }
   page.table(table);
 }
@@ -103,12 +115,14 @@ void add_force_overview(report::Page& page, const std::vector<dem2d::RunFile>& r
 }
 
 void add_fracture_picture(report::Page& page, const dem2d::RunFile& run) {
-  page.picture(dem2d::draw_snapshot(run),
-               "The rock after the cut: " + conditions(run.cut) +
-                   ". A red or purple line is a joint that broke in "
-                   "tension or shear; pieces that have come off are blue, single grains grey. Loose pieces drift "
-                   "without gravity, as if carried off by the mud.",
-               "Discs of synthetic rock with a cutter, chips and cracks");
+  page.picture(
+      dem2d::draw_snapshot(run),
+      "The rock after the cut: " + conditions(run.cut) +
+          ". A red or purple line is a joint with elements broken in tension or shear whose discs are still near "
+          "each other; the legend counts all broken elements. Each piece that has come off has its own shade of "
+          "blue, single grains are grey. Loose pieces drift "
+          "without gravity, as if carried off by the mud.",
+      "Discs of synthetic rock with a cutter, chips and cracks");
 }
 
 }  // namespace cli

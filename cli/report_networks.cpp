@@ -26,8 +26,22 @@ constexpr double closer_look_s = 0.25;
 std::string percent(const std::optional<double>& share) {
   return share ? fmt::format("{:.1f} %", 100.0 * *share) : "-";
 }
-std::string number(const std::optional<double>& value) {
-  return value ? fmt::format("{:.4g}", *value) : "-";
+std::string number(const std::optional<double>& value, double factor) {
+  return value ? fmt::format("{:.3g}", *value * factor) : "-";
+}
+
+/// An output as people read it: forces in kN/m, names without their unit.
+struct Shown {
+  std::string name, unit;
+  double factor;  ///< shown = value * factor
+};
+
+Shown shown(const surrogate::OutputParity& output, std::size_t index) {
+  constexpr const char* statistics[] = {"A_max", "A_mean", "NP1", "NP23", "NP4"};
+  const std::string force = index < surrogate::statistics_count ? "Fx " : "Fy ";
+  const std::string name = force + statistics[index % surrogate::statistics_count];
+  if (output.unit == "N/m") return {name, "kN/m", 1e-3};
+  return {name, output.unit, 1.0};
 }
 
 std::vector<report::Plot> parity_plots(const surrogate::Parity& parity, const std::map<int, std::string>& labels,
@@ -35,15 +49,16 @@ std::vector<report::Plot> parity_plots(const surrogate::Parity& parity, const st
   std::vector<report::Plot> plots;
   for (std::size_t k = from; k < to; ++k) {
     const surrogate::OutputParity& output = parity.outputs[k];
+    const auto [name, unit, factor] = shown(output, k);
     std::vector<report::ParityPoint> points;
     for (const surrogate::ParityPoint& point : output.points) {
-      points.push_back({.dem = point.dem_mean,
-                        .network = point.prediction,
-                        .dem_standard_error = point.dem_standard_error,
+      points.push_back({.dem = point.dem_mean * factor,
+                        .network = point.prediction * factor,
+                        .dem_standard_error = point.dem_standard_error * factor,
                         .is_test = point.role != surrogate::CaseRole::train,
                         .label = labels.at(point.case_number)});
     }
-    plots.push_back(report::parity_plot(output.name, output.unit, points));
+    plots.push_back(report::parity_plot(name, unit, points));
   }
   return plots;
 }
@@ -112,9 +127,9 @@ void add_parity(report::Page& page, const surrogate::Model& model, const surroga
   const std::size_t cases = labels.size();
   if (cases < enough_cases) {
     page.note(fmt::format(
-        "Only {} cases: far too few to learn from ({} parameters a network). The networks reproduce the {} cases they "
-        "were trained on; what they say elsewhere, including the {} test cases, is a guess. This page shows the path, "
-        "not a result.",
+        "Only {} cases: far too few to learn from ({} parameters a network). The networks can learn the {} cases they "
+        "were trained on by heart; what they say elsewhere, including the {} test cases, is a guess. Expect the parity "
+        "to be poor: this page shows the path, not a result.",
         cases, surrogate::parameter_count(model.outputs[0].network.layers), model.provenance.train_cases.size(),
         model.provenance.test_cases.size()));
   }
@@ -123,10 +138,12 @@ void add_parity(report::Page& page, const surrogate::Model& model, const surroga
                           "DEM's own, over seeds (- with one seed).",
                       .header = {"output", "unit", "DEM std. error", "RMSE train", "mean dev. train", "max dev. train",
                                  "RMSE test", "mean dev. test", "max dev. test"}};
-  for (const surrogate::OutputParity& output : parity.outputs) {
-    table.rows.push_back({output.name, output.unit, number(output.all.dem_standard_error), number(output.train.rmse),
+  for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
+    const surrogate::OutputParity& output = parity.outputs[k];
+    const auto [name, unit, factor] = shown(output, k);
+    table.rows.push_back({name, unit, number(output.all.dem_standard_error, factor), number(output.train.rmse, factor),
                           percent(output.train.mean_deviation), percent(output.train.max_deviation),
-                          number(output.test.rmse), percent(output.test.mean_deviation),
+                          number(output.test.rmse, factor), percent(output.test.mean_deviation),
                           percent(output.test.max_deviation)});
   }
   page.plots_in_row(parity_plots(parity, labels, 0, surrogate::statistics_count),
@@ -147,9 +164,9 @@ void add_bit_force(report::Page& page, const std::filesystem::path& csv, const s
   if (!json.empty() && std::filesystem::exists(json)) {
     try {
       const nlohmann::json result = nlohmann::json::parse(base::read_whole(json));
-      what = fmt::format("{}, {} cutters, {:g} rpm, {:g} m/h ({:.3g} mm per turn)", result.at("bit").get<std::string>(),
-                         result.at("cutters").get<int>(), result.at("rpm").get<double>(),
-                         result.at("rop_m_per_h").get<double>(), 1e3 * result.at("depth_of_cut_m").get<double>());
+      what = fmt::format("{}, {:g} rpm, {:g} m/h ({:.3g} mm per turn)", result.at("bit").get<std::string>(),
+                         result.at("rpm").get<double>(), result.at("rop_m_per_h").get<double>(),
+                         1e3 * result.at("depth_of_cut_m").get<double>());
       add_clamp_note(page, result);
     } catch (const nlohmann::json::exception& error) {
       throw base::InputError(fmt::format("{}: not a result of bitrock signal ({})", json.string(), error.what()));

@@ -16,7 +16,7 @@ namespace {
 struct Options {
   CommonOptions common;
   std::string bit_file, model_file, output;
-  double rpm = 0.0, rop_m_per_h = 0.0, duration = 10.0, rate = 1000.0;
+  double rpm = 0.0, rop_m_per_h = 0.0, duration = 10.0, rate = 5000.0;
 };
 
 void run(const Options& options) {
@@ -40,8 +40,8 @@ void run(const Options& options) {
   const runtime::SignalSummary& s = signal.summary;
   const runtime::ClampTally& clamps = s.clamps;
   const double times_real_time = options.duration / wall;
-  say(options.common, "{}: {} cutters, {:g} rpm, {:g} m/h, depth of cut {:.4g} mm per turn\n", bit.name,
-      bit.cutters.size(), options.rpm, options.rop_m_per_h, s.depth_of_cut_m * 1e3);
+  say(options.common, "{}: {:g} rpm, {:g} m/h, depth of cut {:.4g} mm per turn\n", bit.name, options.rpm,
+      options.rop_m_per_h, s.depth_of_cut_m * 1e3);
   say(options.common, "axial force mean {:.4g} kN, max {:.4g} kN; torque mean {:.4g} N m, max {:.4g} N m\n",
       s.mean_force_N * 1e-3, s.max_force_N * 1e-3, s.mean_torque_N_m, s.max_torque_N_m);
   if (clamps.clamped() > 0) {

@@ -51,7 +51,7 @@ TEST(FlatJoint, U1BondedOpening) {
   EXPECT_NEAR(force.moment, 0.0, 1e-9 * 2.32e7 * half_length);
 }
 
-TEST(FlatJoint, U2BondedBendingForAnyNumberOfElements) {
+TEST(FlatJoint, U2AndU6BondedBendingForAnyNumberOfElements) {
   const double expected = normal_stiffness * std::pow(2.0 * half_length, 3) / 12.0 * 0.4;  // kn (2R)^3 / 12 theta
   EXPECT_NEAR(expected, 7.7333e4, 5.0);
   for (const int elements : element_counts) {
@@ -61,7 +61,7 @@ TEST(FlatJoint, U2BondedBendingForAnyNumberOfElements) {
   }
 }
 
-TEST(FlatJoint, U3UnbondedBendingForAnyNumberOfElements) {
+TEST(FlatJoint, U3AndU6UnbondedBendingForAnyNumberOfElements) {
   const double expected_force = -normal_stiffness * 0.2 * half_length * half_length / 2.0;
   const double expected_moment = normal_stiffness * 0.2 * std::pow(half_length, 3) / 3.0;  // kn theta R^3 / 3
   EXPECT_DOUBLE_EQ(expected_force, -5.80e6);
