@@ -192,6 +192,17 @@ void Hdf5Reader::require_checksum() const {
     throw InputError(fmt::format("{}: no checksum at its end (truncated, or changed by another program)", name_));
 }
 
+void Hdf5Reader::require_format(const std::string& format, long long version) const {
+  require_checksum();
+  if (!has_attribute("format") || text_attribute("format") != format) {
+    throw InputError(fmt::format("{}: not a {} file", name_, format));
+  }
+  const double seen = number_attribute("format_version");
+  if (seen != static_cast<double>(version)) {
+    throw InputError(fmt::format("{}: {} format {} (this program reads {})", name_, format, seen, version));
+  }
+}
+
 bool Hdf5Reader::has(const std::string& path) const {
   const std::lock_guard lock(library());
   for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {

@@ -63,6 +63,8 @@ class Hdf5Reader {
   /// Throws `InputError` when the file does not end in the checksum that `Hdf5Writer` gives it. A file of ours is only
   /// safe to read when it does: the library trusts what it reads, and one wrong byte can make it crash.
   void require_checksum() const;
+  /// `require_checksum`, then throws `InputError` unless the root attributes `format` and `format_version` are these.
+  void require_format(const std::string& format, long long version) const;
 
   bool has(const std::string& path) const;
   std::vector<double> doubles(const std::string& path) const;

@@ -1,14 +1,11 @@
 #include "campaigns/features.hpp"
 
-#include <fmt/format.h>
-
 #include <map>
-#include <numbers>
 
 #include "base/csv.hpp"
 #include "base/statistics.hpp"
+#include "base/units.hpp"
 #include "campaigns/runner.hpp"
-#include "dem2d/output/run_file.hpp"
 
 namespace campaigns {
 
@@ -19,14 +16,9 @@ const std::vector<std::string> condition_names{"cutter_speed_m_per_s", "depth_of
 const std::vector<std::string> statistic_names{"x_amax_N_per_m", "x_amean_N_per_m", "x_np1", "x_np23", "x_np4",
                                                "y_amax_N_per_m", "y_amean_N_per_m", "y_np1", "y_np23", "y_np4"};
 
-/// Angles and depths come from files in degrees and millimetres; this gives back the number that was written there.
-double as_written(double si, double si_per_unit) {
-  return std::stod(fmt::format("{:.12g}", si / si_per_unit));
-}
-
 std::vector<double> conditions(const FeatureRow& row) {
-  return {row.cutter_speed, as_written(row.depth_of_cut, 1e-3), as_written(row.back_rake, std::numbers::pi / 180.0),
-          as_written(row.cut_length, 1.0), as_written(row.duration, 1.0)};
+  return {row.cutter_speed, base::in_units(row.depth_of_cut, base::mm), base::in_units(row.back_rake, base::deg),
+          base::in_units(row.cut_length, 1.0), base::in_units(row.duration, 1.0)};
 }
 
 std::vector<double> statistics(const FeatureRow& row) {
@@ -56,9 +48,9 @@ void append(std::vector<double>& to, const std::vector<double>& more) {
 std::vector<FeatureRow> collect(const Study& study, const std::filesystem::path& folder) {
   std::vector<FeatureRow> rows;
   for (const Job& job : jobs(study)) {
-    const auto path = run_path(folder, job);
-    if (!dem2d::is_complete_run(path, dem2d::cut_hash(job.cut, static_cast<std::uint64_t>(job.seed)))) continue;
-    const dem2d::CutRun run = dem2d::read_run(path).run;
+    const auto file = finished_run(folder, job);
+    if (!file) continue;
+    const dem2d::CutRun& run = file->run;
     rows.push_back({.case_number = job.case_number,
                     .seed = job.seed,
                     .cutter_speed = job.cut.cutter_speed,

@@ -12,7 +12,6 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/stop.hpp"
-#include "dem2d/output/run_file.hpp"
 #include "dem2d/specimen/specimen_file.hpp"
 
 namespace campaigns {
@@ -37,10 +36,6 @@ void refuse_other_study(const Study& study, const Path& folder) {
       fmt::format("{} holds runs of another study (its study.toml differs from the one asked for); "
                   "choose another --dir, or remove that folder",
                   folder.string()));
-}
-
-bool is_done(const Path& folder, const Job& job) {
-  return dem2d::is_complete_run(run_path(folder, job), dem2d::cut_hash(job.cut, static_cast<std::uint64_t>(job.seed)));
 }
 
 /// The rocks of a study: each made (or read) by the first worker that needs it, while others that need it wait.
@@ -102,7 +97,7 @@ std::vector<Job> pending_jobs(const Study& study, const Path& folder, const RunO
   int number = 0;
   for (Job& job : jobs(study)) {
     const bool mine = number++ % options.shards == options.shard - 1;
-    if (mine && !is_done(folder, job)) pending.push_back(std::move(job));
+    if (mine && !finished_run(folder, job)) pending.push_back(std::move(job));
   }
   std::stable_sort(pending.begin(), pending.end(),
                    [](const Job& a, const Job& b) { return simulated_time(a) > simulated_time(b); });
@@ -136,14 +131,19 @@ std::filesystem::path run_path(const Path& folder, const Job& job) {
   return folder / "runs" / (job_name(job) + ".h5");
 }
 
+std::optional<dem2d::RunFile> finished_run(const Path& folder, const Job& job) {
+  return dem2d::read_complete_run(run_path(folder, job),
+                                  dem2d::cut_hash(job.cut, static_cast<std::uint64_t>(job.seed)));
+}
+
 Status status(const Study& study, const Path& folder) {
   refuse_other_study(study, folder);
   Status status;
   for (const Job& job : jobs(study)) {
     ++status.cases;
-    if (is_done(folder, job)) {
+    if (const auto file = finished_run(folder, job)) {
       ++status.done;
-      status.core_seconds += dem2d::read_run(run_path(folder, job)).run.wall_time;
+      status.core_seconds += file->run.wall_time;
     } else if (std::filesystem::exists(failure_path(folder, job))) {
       ++status.failed;
     } else {
@@ -173,8 +173,8 @@ void run(const Study& study, const Path& folder, const RunOptions& options) {
     for (std::size_t mine = next++; mine < pending.size() && !interrupted; mine = next++) {
       try {
         // another runner on the same folder may have done it meanwhile
-        JobReport report =
-            is_done(folder, pending[mine]) ? JobReport{.job = &pending[mine]} : run_job(pending[mine], folder, rocks);
+        JobReport report = finished_run(folder, pending[mine]) ? JobReport{.job = &pending[mine]}
+                                                               : run_job(pending[mine], folder, rocks);
         const std::lock_guard lock(report_mutex);
         report.finished = ++finished;
         report.total = static_cast<int>(pending.size());

@@ -12,14 +12,19 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "campaigns/study.hpp"
+#include "dem2d/output/run_file.hpp"
 
 namespace campaigns {
 
 std::filesystem::path run_path(const std::filesystem::path& folder, const Job& job);
+
+/// The run of a job when it is done, otherwise empty.
+std::optional<dem2d::RunFile> finished_run(const std::filesystem::path& folder, const Job& job);
 
 struct Status {
   int cases = 0;                            ///< jobs in all: cases times seeds

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 
 namespace campaigns {
 
 namespace {
 
-constexpr double mm = 1e-3, deg = std::numbers::pi / 180.0;
+using base::deg, base::mm;
 
 std::vector<base::Section> describe(Study& study) {
   using base::between, base::positive;

@@ -1,10 +1,10 @@
 // bitrock campaign: a grid of cuts, resumable, one cut a core.
 #include <algorithm>
 #include <memory>
-#include <numbers>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/units.hpp"
 #include "campaigns/features.hpp"
 #include "campaigns/runner.hpp"
 #include "cli/command.hpp"
@@ -46,7 +46,7 @@ void print_job(const campaigns::JobReport& report, double core_seconds, int work
   const campaigns::Job& job = *report.job;
   const std::string name =
       fmt::format("case {} seed {}: {:g} m/s, {:g} mm, {:g} deg", job.case_number, job.seed, job.cut.cutter_speed,
-                  job.cut.depth_of_cut * 1e3, std::round(job.cut.back_rake * 1.8e8 / std::numbers::pi) / 1e6);
+                  base::in_units(job.cut.depth_of_cut, base::mm), base::in_units(job.cut.back_rake, base::deg));
   const double left = core_seconds / report.share_done * (1.0 - report.share_done) / workers;
   if (report.failed) {
     fmt::print("[{}/{}] {} FAILED: {}\n", report.finished, report.total, name, report.message);

@@ -1,9 +1,9 @@
 // bitrock predict: what a trained model says for one cut.
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 #include "cli/command.hpp"
 #include "surrogate/net/model_file.hpp"
 
@@ -23,8 +23,7 @@ nlohmann::json as_json(const surrogate::PeakStatisticsPrediction& p) {
 
 void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
-  const surrogate::CutConditions conditions{options.speed, options.depth_mm * 1e-3,
-                                            options.rake_deg * std::numbers::pi / 180.0};
+  const surrogate::CutConditions conditions{options.speed, options.depth_mm * base::mm, options.rake_deg * base::deg};
   require_outputs(options.common, {options.model_file}, {});
   const surrogate::Prediction prediction = surrogate::predict(model, conditions);
   for (const auto& p : {prediction.x, prediction.y}) {

@@ -2,9 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
+#include "base/units.hpp"
 #include "cli/report_parts.hpp"
 #include "dem2d/output/snapshot.hpp"
 #include "peaks/statistics.hpp"
@@ -17,8 +16,7 @@ constexpr double kilo = 1e-3;  // from N/m to kN/m, from Pa to kPa ...
 
 std::string conditions(const dem2d::CutCase& cut) {
   return fmt::format("{:g} m/s, {:g} mm deep, {:g}\u00b0 back rake", cut.cutter_speed,
-                     std::round(cut.depth_of_cut * 1e9) / 1e6,
-                     std::round(cut.back_rake * 1.8e8 / std::numbers::pi) / 1e6);
+                     base::in_units(cut.depth_of_cut, base::mm), base::in_units(cut.back_rake, base::deg));
 }
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
@@ -75,15 +73,16 @@ void add_cut_table(report::Page& page, const std::vector<dem2d::RunFile>& runs) 
                  "cracks tension / shear"}};
   for (const dem2d::RunFile& file : runs) {
     const peaks::PeakStatistics x = peaks::peak_statistics(file.run.force_x);
-    table.rows.push_back(
-        {fmt::format("{:g}", file.cut.cutter_speed), fmt::format("{:g}", std::round(file.cut.depth_of_cut * 1e9) / 1e6),
-         fmt::format("{:g}", std::round(file.cut.back_rake * 1.8e8 / std::numbers::pi) / 1e6),
-         std::to_string(file.seed), fmt::format("{:.1f}", file.run.mean_force_x * kilo),
-         fmt::format("{:.1f}", file.run.mean_force_y * kilo), fmt::format("{:.1f}", file.run.specific_energy * 1e-6),
-         fmt::format("{:.0f}", 100.0 * share_in_contact(file.run.force_x, x.amax)),
-         fmt::format("{:.0f}", x.amax * kilo), fmt::format("{:.1f}", x.amean * kilo),
-         fmt::format("{} + {} + {}", x.np1, x.np23, x.np4),
-         fmt::format("{} / {}", file.run.cracks_tensile, file.run.cracks_shear)});
+    table.rows.push_back({fmt::format("{:g}", file.cut.cutter_speed),
+                          fmt::format("{:g}", base::in_units(file.cut.depth_of_cut, base::mm)),
+                          fmt::format("{:g}", base::in_units(file.cut.back_rake, base::deg)), std::to_string(file.seed),
+                          fmt::format("{:.1f}", file.run.mean_force_x * kilo),
+                          fmt::format("{:.1f}", file.run.mean_force_y * kilo),
+                          fmt::format("{:.1f}", file.run.specific_energy * 1e-6),
+                          fmt::format("{:.0f}", 100.0 * share_in_contact(file.run.force_x, x.amax)),
+                          fmt::format("{:.0f}", x.amax * kilo), fmt::format("{:.1f}", x.amean * kilo),
+                          fmt::format("{} + {} + {}", x.np1, x.np23, x.np4),
+                          fmt::format("{} / {}", file.run.cracks_tensile, file.run.cracks_shear)});
   }
   page.table(table);
 }

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 #include "dem2d/specimen/genesis.hpp"
 
 namespace dem2d {
 
 namespace {
-constexpr double mm = 1e-3, um = 1e-6, deg = std::numbers::pi / 180.0;
+using base::deg, base::mm, base::um;
 
 // The cutter must keep this many depths of rock in front of it at the end, so that the side wall does not confine the
 // last chips; and this many below it, so that the bottom does not.

@@ -101,15 +101,10 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
 
 RunFile read_run(const std::filesystem::path& path) {
   const base::Hdf5Reader file(path);
-  file.require_checksum();
+  file.require_format(format_name, format_version);
   const auto refuse = [&](const std::string& why) {
     throw base::InputError(fmt::format("{}: {}", path.string(), why));
   };
-  if (!file.has_attribute("format") || file.text_attribute("format") != format_name) refuse("not a bitrock run");
-  if (file.number_attribute("format_version") != static_cast<double>(format_version)) {
-    refuse(
-        fmt::format("run format {} (this program reads {})", file.number_attribute("format_version"), format_version));
-  }
   RunFile result;
   result.status = file.text_attribute("status");
   if (result.status != "complete") refuse("the run is not complete (status " + result.status + ")");
@@ -173,13 +168,15 @@ RunFile read_run(const std::filesystem::path& path) {
   return result;
 }
 
-bool is_complete_run(const std::filesystem::path& path, const std::string& hash) {
-  if (!std::filesystem::exists(path)) return false;
+std::optional<RunFile> read_complete_run(const std::filesystem::path& path, const std::string& hash) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
   try {
-    return read_run(path).config_hash == hash;
+    RunFile file = read_run(path);
+    if (file.config_hash == hash) return file;
   } catch (const base::InputError&) {
-    return false;
+    // damaged or foreign: to be made again
   }
+  return std::nullopt;
 }
 
 }  // namespace dem2d

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "dem2d/cut/run_cut.hpp"
@@ -27,7 +28,7 @@ struct RunFile {
 /// Throws `base::InputError` when the file is not a whole run.
 RunFile read_run(const std::filesystem::path& path);
 
-/// True when `path` is a complete run with this hash; false for anything else, without an exception.
-bool is_complete_run(const std::filesystem::path& path, const std::string& hash);
+/// The run when `path` is a complete one with this hash; empty for anything else, without an exception.
+std::optional<RunFile> read_complete_run(const std::filesystem::path& path, const std::string& hash);
 
 }  // namespace dem2d

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 #include "dem2d/tool/cutter.hpp"
 
 namespace dem2d {
@@ -226,9 +227,9 @@ std::string draw_snapshot(const RunFile& run, int width_px) {
   cairo_set_font_size(cairo, 20.0);
   ink_colour(cairo, ink);
   cairo_move_to(cairo, page.left, 32.0);
-  const std::string title = fmt::format(
-      "{}: {:g} m/s, {:g} mm deep, {:g}\u00b0 back rake, after {:.3g} mm of cut", cut.rock.name, cut.cutter_speed,
-      cut.depth_of_cut * 1e3, std::round(cut.back_rake * 180e6 / std::numbers::pi) / 1e6, run.run.cut_length * 1e3);
+  const std::string title = fmt::format("{}: {:g} m/s, {:g} mm deep, {:g}\u00b0 back rake, after {:.3g} mm of cut",
+                                        cut.rock.name, cut.cutter_speed, base::in_units(cut.depth_of_cut, base::mm),
+                                        base::in_units(cut.back_rake, base::deg), run.run.cut_length * 1e3);
   cairo_show_text(cairo, title.c_str());
 
   std::string png;

@@ -1,12 +1,13 @@
 #include "dem2d/specimen/rock.hpp"
 
-#include <numbers>
+#include "base/units.hpp"
+#include "dem2d/contact/flat_joint.hpp"
 
 namespace dem2d {
 
 namespace {
 
-constexpr double mm = 1e-3, MPa = 1e6, GPa = 1e9, deg = std::numbers::pi / 180.0;
+using base::deg, base::GPa, base::mm, base::MPa;
 
 Rock checked(base::ConfigFile file) {
   Rock rock;
@@ -42,7 +43,7 @@ std::vector<base::Section> describe(Rock& rock) {
         {"cohesion_MPa", &rock.cohesion, MPa, positive(), "of an element", true},
         {"friction_angle_deg", &rock.friction_angle, deg, below_90, "of a bonded element"},
         {"friction_coefficient", &rock.friction, 1.0, between(0.0, 10.0), "of a broken element"},
-        {"elements", &rock.elements, 1.0, between(1, 64), "elements of a joint"},
+        {"elements", &rock.elements, 1.0, between(1, max_elements), "elements of a joint"},
         {"radius_multiplier", &rock.radius_multiplier, 1.0, between(0.01, 1.0), "half-length over smaller radius"},
         {"installation_gap_mm", &rock.installation_gap, mm, at_least(0.0), "discs closer than this are joined"}}},
       {"linear_contacts",

@@ -38,15 +38,10 @@ void write_specimen(const Specimen& specimen, const std::filesystem::path& path)
 
 Specimen read_specimen(const std::filesystem::path& path) {
   const base::Hdf5Reader file(path);
-  file.require_checksum();
+  file.require_format(format_name, format_version);
   const auto refuse = [&](const std::string& why) {
     throw base::InputError(fmt::format("{}: {}", path.string(), why));
   };
-  if (!file.has_attribute("format") || file.text_attribute("format") != format_name) refuse("not a bitrock specimen");
-  if (file.number_attribute("format_version") != static_cast<double>(format_version)) {
-    refuse(fmt::format("specimen format {} (this program reads {})", file.number_attribute("format_version"),
-                       format_version));
-  }
   if (file.number_attribute("genesis_version") != genesis_version)
     refuse("made by another version of the packing; make it again");
   Specimen specimen;

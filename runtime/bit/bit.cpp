@@ -1,15 +1,13 @@
 #include "runtime/bit/bit.hpp"
 
-#include <numbers>
-
 #include "base/errors.hpp"
+#include "base/units.hpp"
 
 namespace runtime {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180.0;
-constexpr double millimetre = 1e-3;
+using base::deg, base::mm;
 
 /// The words of the file and the seed on their way to enumerations and an unsigned seed.
 struct Words {
@@ -23,8 +21,8 @@ base::Section describe(Bit& bit, Words& words) {
   const base::Range factor{.low = 0.0, .high = 2.0, .low_open = true};
   return {"bit",
           {{"name", &bit.name, 1.0, base::any(), "for people", true},
-           {"diameter_mm", &bit.diameter, millimetre, base::between(1.0, 1e4), "diameter of the bit", true},
-           {"window_angle_deg", &bit.signal.window_angle, degree, window, "angle over which peaks are drawn together"},
+           {"diameter_mm", &bit.diameter, mm, base::between(1.0, 1e4), "diameter of the bit", true},
+           {"window_angle_deg", &bit.signal.window_angle, deg, window, "angle over which peaks are drawn together"},
            {"pulse_width_factor", &bit.signal.pulse_width_factor, 1.0, factor,
             "half-width of a peak over half the mean distance of peaks"},
            {"combine", &words.combine, 1.0, base::any(), "overlapping peaks: 'sum' or 'max'"},
@@ -34,13 +32,12 @@ base::Section describe(Bit& bit, Words& words) {
 }
 
 base::Section describe(Cutter& cutter, double bit_diameter) {
-  const base::Range width{.low = 0.0, .high = bit_diameter / millimetre, .low_open = true};
-  const base::Range radius{.low = 0.0, .high = 0.5 * bit_diameter / millimetre, .low_open = true};
-  return {
-      "cutter",
-      {{"radius_mm", &cutter.radius, millimetre, radius, "from the axis of the bit to the middle of the cutter", true},
-       {"width_mm", &cutter.width, millimetre, width, "effective width", true},
-       {"back_rake_deg", &cutter.back_rake, degree, base::between(0.0, 60.0), "back rake", true}}};
+  const base::Range width{.low = 0.0, .high = bit_diameter / mm, .low_open = true};
+  const base::Range radius{.low = 0.0, .high = 0.5 * bit_diameter / mm, .low_open = true};
+  return {"cutter",
+          {{"radius_mm", &cutter.radius, mm, radius, "from the axis of the bit to the middle of the cutter", true},
+           {"width_mm", &cutter.width, mm, width, "effective width", true},
+           {"back_rake_deg", &cutter.back_rake, deg, base::between(0.0, 60.0), "back rake", true}}};
 }
 
 void take_words(const base::ConfigFile& file, const Words& words, SignalSettings& signal) {
@@ -57,7 +54,7 @@ void take_words(const base::ConfigFile& file, const Words& words, SignalSettings
 
 Bit read_bit(base::ConfigFile& file) {
   Bit bit;
-  bit.signal.window_angle = default_window_angle_deg * degree;
+  bit.signal.window_angle = default_window_angle_deg * deg;
   Words words;
   file.fill(describe(bit, words));
   take_words(file, words, bit.signal);

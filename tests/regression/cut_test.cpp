@@ -100,13 +100,13 @@ TEST(RunFile, RoundTripAndPicture) {
   EXPECT_EQ(file.run.force_x, run.force_x);
   EXPECT_EQ(file.run.cracks.size(), run.cracks.size());
   EXPECT_EQ(file.seed, 3u);
-  EXPECT_TRUE(dem2d::is_complete_run(path, dem2d::cut_hash(cut, 3)));
-  EXPECT_FALSE(dem2d::is_complete_run(path, dem2d::cut_hash(cut, 4)));
+  EXPECT_TRUE(dem2d::read_complete_run(path, dem2d::cut_hash(cut, 3)).has_value());
+  EXPECT_FALSE(dem2d::read_complete_run(path, dem2d::cut_hash(cut, 4)).has_value());
   EXPECT_EQ(dem2d::draw_snapshot(file).substr(1, 3), "PNG");
 
   const std::string bytes = base::read_whole(path);
   base::write_whole(path, bytes.substr(0, bytes.size() - 1000));
-  EXPECT_FALSE(dem2d::is_complete_run(path, dem2d::cut_hash(cut, 3)));
+  EXPECT_FALSE(dem2d::read_complete_run(path, dem2d::cut_hash(cut, 3)).has_value());
 }
 
 }  // namespace

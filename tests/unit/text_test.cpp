@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "base/units.hpp"
+
 namespace {
 
 TEST(Text, NearestNameFindsTyposAndNothingElse) {
@@ -16,6 +18,13 @@ TEST(Text, FingerprintMatchesThePublishedVectors) {  // FNV-1a test suite: "", "
   EXPECT_EQ(base::fingerprint(""), 0xcbf29ce484222325ULL);
   EXPECT_EQ(base::fingerprint("a"), 0xaf63dc4c8601ec8cULL);
   EXPECT_EQ(base::fingerprint_text("foobar"), "85944171f73967e8");
+}
+
+TEST(Units, TheNumberThatWasWrittenComesBack) {
+  for (const double written : {0.5, 2.0, 15.0, 22.5, 0.1}) {
+    EXPECT_EQ(base::in_units(written * base::mm, base::mm), written);
+    EXPECT_EQ(base::in_units(written * base::deg, base::deg), written);
+  }
 }
 
 }  // namespace
