@@ -65,10 +65,9 @@ class RockStore {
     if (std::filesystem::exists(file)) {
       try {
         dem2d::Specimen kept = dem2d::read_specimen(file);
-        dem2d::Rock of_file = kept.rock, wanted = common.rock;
-        const bool same_rock = base::to_toml(dem2d::describe(of_file)) == base::to_toml(dem2d::describe(wanted));
-        const bool same_box = kept.width == common.bed_length && kept.height == common.bed_height;
-        if (same_rock && same_box && kept.seed == static_cast<std::uint64_t>(seed)) return kept;
+        const std::string why =
+            dem2d::mismatch(kept, common.rock, common.bed_length, common.bed_height, static_cast<std::uint64_t>(seed));
+        if (why.empty()) return kept;
       } catch (const base::InputError&) {
         // a damaged rock is simply made again below
       }

@@ -61,9 +61,7 @@ std::string resolved_toml(const Study& study) {
   Study copy = study;
   std::vector<base::Section> sections = describe(copy);
   std::erase_if(sections.front().fields, [](const base::Field& field) { return field.name == "rock"; });
-  for (base::Section& section : dem2d::describe(copy.common.rock)) {
-    if (section.name != "specimen") sections.push_back(section);
-  }
+  for (base::Section& section : dem2d::describe_material(copy.common.rock)) sections.push_back(std::move(section));
   return base::to_toml(sections);
 }
 

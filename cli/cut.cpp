@@ -34,20 +34,9 @@ dem2d::Specimen bed_of(const Options& options, const dem2d::CutCase& cut) {
                                 options.common.threads, progress.callback());
   }
   dem2d::Specimen specimen = dem2d::read_specimen(options.specimen_file);
-  if (specimen.width != cut.bed_length || specimen.height != cut.bed_height) {
-    throw base::InputError(fmt::format("{}: {:.6g} x {:.6g} mm (the case wants a bed of {:.6g} x {:.6g} mm)",
-                                       options.specimen_file, specimen.width * 1e3, specimen.height * 1e3,
-                                       cut.bed_length * 1e3, cut.bed_height * 1e3));
-  }
-  dem2d::CutCase of_file = cut;
-  of_file.rock = specimen.rock;
-  if (dem2d::resolved_toml(of_file) != dem2d::resolved_toml(cut)) {
-    throw base::InputError(fmt::format("{}: made of another rock than the case names", options.specimen_file));
-  }
-  if (static_cast<int>(specimen.seed) != options.seed) {
-    throw base::InputError(
-        fmt::format("{}: made with seed {} (--seed is {})", options.specimen_file, specimen.seed, options.seed));
-  }
+  const std::string why =
+      dem2d::mismatch(specimen, cut.rock, cut.bed_length, cut.bed_height, static_cast<std::uint64_t>(options.seed));
+  if (!why.empty()) throw base::InputError(options.specimen_file + ": " + why);
   return specimen;
 }
 

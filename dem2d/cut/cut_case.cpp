@@ -94,9 +94,8 @@ namespace {
 std::vector<base::Section> case_and_rock(CutCase& cut) {
   std::vector<base::Section> sections = describe(cut);
   sections.erase(sections.begin());  // the rock's content says it better than its file name
-  for (base::Section& section : describe(cut.rock)) {
-    if (section.name != "specimen") sections.push_back(section);  // a cut brings its own bed
-  }
+  // a cut brings its own bed
+  for (base::Section& section : describe_material(cut.rock)) sections.push_back(std::move(section));
   return sections;
 }
 

@@ -143,6 +143,19 @@ Specimen make_specimen(const Rock& rock, double width, double height, std::uint6
   return specimen;
 }
 
+std::string mismatch(const Specimen& kept, const Rock& rock, double width, double height, std::uint64_t seed) {
+  if (kept.width != width || kept.height != height) {
+    return fmt::format("{:.6g} x {:.6g} mm (wanted is a bed of {:.6g} x {:.6g} mm)", kept.width * 1e3,
+                       kept.height * 1e3, width * 1e3, height * 1e3);
+  }
+  Rock of_kept = kept.rock, wanted = rock;
+  if (base::to_toml(describe_material(of_kept)) != base::to_toml(describe_material(wanted))) {
+    return "made of another rock than is wanted";
+  }
+  if (kept.seed != seed) return fmt::format("made with seed {} (wanted is {})", kept.seed, seed);
+  return "";
+}
+
 namespace {
 
 /// Area of the lens shared by two overlapping discs of radius a and b at distance d [m2].

@@ -16,6 +16,7 @@
 /// is therefore over-full on purpose, and gives overlaps of a few percent that make the packing dense.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -46,6 +47,9 @@ void check_specimen_size(const Rock& rock, double width, double height, const st
 /// Checks the size. Throws `SimulationError` when the packing does not come to rest.
 Specimen make_specimen(const Rock& rock, double width, double height, std::uint64_t seed, int threads,
                        const base::ProgressCallback& progress = {});
+
+/// Why a kept specimen is not the one asked for (box, rock or seed), in words; empty when it is.
+std::string mismatch(const Specimen& kept, const Rock& rock, double width, double height, std::uint64_t seed);
 
 /// Share of the box not covered, with the overlap of each pair counted once [1].
 double porosity(const Specimen& specimen);

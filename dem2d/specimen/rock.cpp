@@ -61,6 +61,12 @@ std::vector<base::Section> describe(Rock& rock) {
   };
 }
 
+std::vector<base::Section> describe_material(Rock& rock) {
+  std::vector<base::Section> sections = describe(rock);
+  std::erase_if(sections, [](const base::Section& section) { return section.name == "specimen"; });
+  return sections;
+}
+
 Rock read_rock(const std::filesystem::path& path) {
   return checked(base::ConfigFile::read(path));
 }

@@ -52,6 +52,9 @@ struct Rock {
 /// The sections of the file, bound to `rock` (base/config.hpp).
 std::vector<base::Section> describe(Rock& rock);
 
+/// The same without the size of specimens made on their own: all that the behaviour of the rock depends on.
+std::vector<base::Section> describe_material(Rock& rock);
+
 /// Reads and checks; throws `base::InputError` with file, line and key.
 Rock read_rock(const std::filesystem::path& path);
 Rock parse_rock(std::string_view text, const std::string& name);

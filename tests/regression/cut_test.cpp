@@ -48,6 +48,16 @@ TEST(Genesis, SameSeedSameBytesForAnyThreads) {
   EXPECT_EQ(read.disc2, small_bed().disc2);
 }
 
+TEST(Genesis, AKeptSpecimenIsKnownByItsBoxRockAndSeed) {
+  const dem2d::Specimen bed = small_bed();
+  dem2d::Rock rock = bed.rock;
+  EXPECT_EQ(dem2d::mismatch(bed, rock, bed.width, bed.height, 3), "");
+  EXPECT_NE(dem2d::mismatch(bed, rock, bed.width, bed.height, 4).find("made with seed 3"), std::string::npos);
+  EXPECT_NE(dem2d::mismatch(bed, rock, 2.0 * bed.width, bed.height, 3).find("24 x 12 mm"), std::string::npos);
+  rock.cohesion *= 2.0;
+  EXPECT_NE(dem2d::mismatch(bed, rock, bed.width, bed.height, 3).find("another rock"), std::string::npos);
+}
+
 TEST(Cut, SameBitsForOneAndTwoThreads) {
   const auto cut = small_cut();
   const auto bed = small_bed();
