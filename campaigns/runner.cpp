@@ -108,7 +108,7 @@ JobReport run_job(const Job& job, const Path& folder, RockStore& rocks) {
   JobReport report{.job = &job};
   try {
     const std::shared_ptr<const dem2d::Specimen> rock = rocks.get(job.seed);
-    const dem2d::CutRun result = dem2d::run_cut(job.cut, *rock, 1);
+    const dem2d::CutRun result = dem2d::run_cut(job.cut, *rock);
     report.wall_time = result.wall_time;
     dem2d::write_run(result, job.cut, static_cast<std::uint64_t>(job.seed), run_path(folder, job));
     std::filesystem::remove(failure_path(folder, job));

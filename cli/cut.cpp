@@ -16,6 +16,7 @@ struct Options {
   std::string case_file, output, specimen_file;
   int seed = 1;
   int frames = 0;
+  bool without_energy = false;
 };
 
 // For the estimate of --check only [ns per disc and step]: measured on one core of a 2.6 GHz Xeon.
@@ -37,12 +38,13 @@ dem2d::Specimen bed_of(const Options& options, const dem2d::CutCase& cut) {
   const std::string why =
       dem2d::mismatch(specimen, cut.rock, cut.bed_length, cut.bed_height, static_cast<std::uint64_t>(options.seed));
   if (!why.empty()) throw base::InputError(options.specimen_file + ": " + why);
+  specimen.seed = static_cast<std::uint64_t>(options.seed);  // of discs packed elsewhere: what is random in the joints
   return specimen;
 }
 
 void print_plan(const Options& options, const dem2d::CutCase& cut) {
   const dem2d::Specimen bed = bed_of(options, cut);
-  const dem2d::World world = dem2d::make_cut_world(cut, bed, 1);
+  const dem2d::World world = dem2d::make_cut_world(cut, bed);
   const dem2d::CutSchedule plan = dem2d::plan_steps(cut, world.step);
   const double steps = static_cast<double>(plan.samples) * plan.steps_per_sample;
   const double minutes = steps * static_cast<double>(bed.x.size()) * typical_ns_per_disc_step * 1e-9 / 60.0;
@@ -59,6 +61,24 @@ void print_plan(const Options& options, const dem2d::CutCase& cut) {
                               {"expected_minutes", minutes}});
 }
 
+nlohmann::json energy_residual(const Options& options, const dem2d::CutRun& run) {
+  if (options.without_energy) return nullptr;
+  return run.energy_residual_fraction;
+}
+
+void print_energy(const Options& options, const dem2d::CutRun& run) {
+  if (options.without_energy) return;
+  const dem2d::Energies& e = run.energies.back();
+  const double percent = e.boundary_work != 0.0 ? 100.0 / e.boundary_work : 0.0;
+  say(options.common,
+      "work of the cutter {:.4g} J/m: {:.1f} % friction, {:.1f} % local damping, {:.1f} % dashpots, {:.1f} % breaking, "
+      "{:.2f} % switching, {:.1f} % in springs, {:.1f} % in motion, {:.1f} % gone with lost discs; {:.2g} % not "
+      "found\n",
+      e.boundary_work, percent * e.friction, percent * e.local_damping, percent * e.dashpots, percent * e.breaking,
+      percent * e.switching, percent * (e.strain_joints + e.strain_contacts + e.strain_boundaries), percent * e.kinetic,
+      percent * e.removed, 100.0 * run.energy_residual_fraction);
+}
+
 void run(const Options& options) {
   const dem2d::CutCase cut = dem2d::read_cut_case(options.case_file);
   if (options.common.check) {
@@ -70,7 +90,10 @@ void run(const Options& options) {
   dem2d::CutRun result;
   {
     Progress progress(options.common, "cutting", "ms", 1e3);
-    result = dem2d::run_cut(cut, bed, options.common.threads, options.frames, progress.callback());
+    result = dem2d::run_cut(
+        cut, bed,
+        {.threads = options.common.threads, .frames = options.frames, .measure_energy = !options.without_energy},
+        progress.callback());
   }
   dem2d::write_run(result, cut, static_cast<std::uint64_t>(options.seed), options.output);
 
@@ -87,8 +110,7 @@ void run(const Options& options) {
                               {"cracks_tensile", result.cracks_tensile},
                               {"cracks_shear", result.cracks_shear},
                               {"removed_discs", result.removed_discs},
-                              {"injected_energy_J_per_m", result.injected_energy},
-                              {"energy_residual_fraction", nullptr},  // no energy ledger yet
+                              {"energy_residual_fraction", energy_residual(options, result)},
                               {"wall_s", result.wall_time},
                               {"ns_per_disc_step", result.nanoseconds_per_disc_step},
                               {"features", {{"x", x}, {"y", y}}}});
@@ -99,6 +121,7 @@ void run(const Options& options) {
       "mean force x {:.4g}, y {:.4g} kN/m; specific energy {:.3g} MPa; cracks {} in tension, {} in shear\n",
       result.mean_force_x * 1e-3, result.mean_force_y * 1e-3, result.specific_energy * 1e-6, result.cracks_tensile,
       result.cracks_shear);
+  print_energy(options, result);
   for (const auto& [axis, f] : {std::pair{"x", x}, std::pair{"y", y}}) {
     say(options.common, "{}: A_max {:.4g} kN/m, A_mean {:.4g} kN/m, peaks {} + {} + {}\n", axis,
         f["amax"].get<double>() * 1e-3, f["amean"].get<double>() * 1e-3, f["np1"].get<int>(), f["np23"].get<int>(),
@@ -119,6 +142,8 @@ void add_cut(CLI::App& app) {
   command->add_option("--frames", options->frames, "store all discs at this many instants, evenly spaced")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
+  command->add_flag("--no-energy", options->without_energy,
+                    "do not measure where the energy goes (a few percent faster)");
   add_computing(*command, options->common);
   command->callback([options] { run(*options); });
 }

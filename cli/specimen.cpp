@@ -1,8 +1,12 @@
 // bitrock specimen: one synthetic rock from a seed.
 #include <cmath>
 #include <memory>
+#include <optional>
 
+#include "base/errors.hpp"
 #include "cli/command.hpp"
+#include "dem2d/specimen/bonded_world.hpp"
+#include "dem2d/specimen/discs_file.hpp"
 #include "dem2d/specimen/specimen_file.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
@@ -13,7 +17,7 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string rock_file, output;
+  std::string rock_file, discs_file, output;
   int seed = 1;
   double width_mm = 0.0, height_mm = 0.0;
 };
@@ -25,37 +29,87 @@ double critical_step_of(const dem2d::Specimen& specimen) {
   return dem2d::critical_step(world);
 }
 
+bool from_discs(const Options& options) {
+  return !options.discs_file.empty();
+}
+
+/// The box asked for on the command line or in the rock file.
+dem2d::BoxSize box_of(const Options& options, const dem2d::Rock& rock) {
+  return {.width = options.width_mm > 0.0 ? options.width_mm * 1e-3 : rock.specimen_width,
+          .height = options.height_mm > 0.0 ? options.height_mm * 1e-3 : rock.specimen_height};
+}
+
+dem2d::Specimen read_discs(const Options& options, const dem2d::Rock& rock) {
+  std::optional<dem2d::BoxSize> box;  // the size in the rock file is for specimens that are packed here
+  if ((options.width_mm > 0.0) != (options.height_mm > 0.0)) {
+    throw base::InputError("--from-discs: --width-mm and --height-mm go together (the box is given, or it is fitted)");
+  }
+  if (options.width_mm > 0.0) box = box_of(options, rock);
+  return dem2d::specimen_from_discs(options.discs_file, rock, static_cast<std::uint64_t>(options.seed), box);
+}
+
+dem2d::Specimen pack(const Options& options, const dem2d::Rock& rock) {
+  const dem2d::BoxSize box = box_of(options, rock);
+  Progress progress(options.common, "packing", "");
+  return dem2d::make_specimen(rock, box.width, box.height, static_cast<std::uint64_t>(options.seed),
+                              options.common.threads, progress.callback());
+}
+
+void check(const Options& options, const dem2d::Rock& rock) {
+  require_outputs(options.common, {options.rock_file, options.discs_file}, {});
+  const dem2d::BoxSize box = box_of(options, rock);
+  nlohmann::json result;
+  if (from_discs(options)) {
+    const dem2d::Specimen specimen = read_discs(options, rock);
+    result = {{"discs", specimen.x.size()}, {"width_m", specimen.width}, {"height_m", specimen.height}};
+  } else {
+    const double discs = dem2d::expected_discs(rock, box.width, box.height);
+    result = {{"discs", std::llround(discs)}, {"width_m", box.width}, {"height_m", box.height}};
+  }
+  say(options.common, "{}: {:.4g} x {:.4g} mm, {}{} discs\n", rock.name, result["width_m"].get<double>() * 1e3,
+      result["height_m"].get<double>() * 1e3, from_discs(options) ? "" : "about ", result["discs"].get<long long>());
+  write_json(options.common, result);
+}
+
+void report(const Options& options, const dem2d::Specimen& specimen) {
+  nlohmann::json result{{"discs", specimen.x.size()},
+                        {"joints", specimen.disc1.size()},
+                        {"porosity", dem2d::porosity(specimen)},
+                        {"coordination_number", dem2d::coordination_number(specimen)},
+                        {"floaters", dem2d::floaters(specimen)},
+                        {"equilibrium_ratio", specimen.equilibrium_ratio},
+                        {"pressure_Pa", specimen.pressure},
+                        {"radius_factor", specimen.radius_factor},
+                        {"critical_step_s", critical_step_of(specimen)},
+                        {"width_m", specimen.width},
+                        {"height_m", specimen.height},
+                        {"origin", specimen.origin},
+                        {"seed", options.seed}};
+  std::string packed = fmt::format("packed under {:.4g} MPa (equilibrium ratio {:.2g}, radii x {:.4f})",
+                                   specimen.pressure * 1e-6, specimen.equilibrium_ratio, specimen.radius_factor);
+  if (specimen.packed_elsewhere()) {
+    for (const char* unknown : {"equilibrium_ratio", "pressure_Pa", "radius_factor"}) result[unknown] = nullptr;
+    packed = specimen.origin;
+  }
+  say(options.common, "{}: {:.4g} x {:.4g} mm, {} discs, {} joints, coordination {:.2f}, porosity {:.3f}\n",
+      specimen.rock.name, specimen.width * 1e3, specimen.height * 1e3, specimen.x.size(), specimen.disc1.size(),
+      result["coordination_number"].get<double>(), result["porosity"].get<double>());
+  say(options.common, "{}, {} floaters (less than 3 joints), critical step {:.3g} s -> {}\n", packed,
+      result["floaters"].get<int>(), result["critical_step_s"].get<double>(), options.output);
+  write_json(options.common, result);
+}
+
 void run(const Options& options) {
   const dem2d::Rock rock = dem2d::read_rock(options.rock_file);
-  const double width = options.width_mm > 0.0 ? options.width_mm * 1e-3 : rock.specimen_width;
-  const double height = options.height_mm > 0.0 ? options.height_mm * 1e-3 : rock.specimen_height;
-  dem2d::check_specimen_size(rock, width, height, options.rock_file);
-  if (options.common.check) {
-    require_outputs(options.common, {options.rock_file}, {});
-    const double discs = dem2d::expected_discs(rock, width, height);
-    say(options.common, "{}: {:.4g} x {:.4g} mm, about {:.0f} discs\n", rock.name, width * 1e3, height * 1e3, discs);
-    write_json(options.common, {{"discs", std::llround(discs)}, {"width_m", width}, {"height_m", height}});
-    return;
+  if (!from_discs(options)) {
+    const dem2d::BoxSize box = box_of(options, rock);
+    dem2d::check_specimen_size(rock, box.width, box.height, options.rock_file);
   }
-  require_outputs(options.common, {options.rock_file}, {options.output});
-  Progress progress(options.common, "packing", "");
-  const dem2d::Specimen specimen = dem2d::make_specimen(rock, width, height, static_cast<std::uint64_t>(options.seed),
-                                                        options.common.threads, progress.callback());
+  if (options.common.check) return check(options, rock);
+  require_outputs(options.common, {options.rock_file, options.discs_file}, {options.output});
+  const dem2d::Specimen specimen = from_discs(options) ? read_discs(options, rock) : pack(options, rock);
   dem2d::write_specimen(specimen, options.output);
-  const nlohmann::json result{{"discs", specimen.x.size()},
-                              {"joints", specimen.disc1.size()},
-                              {"porosity", dem2d::porosity(specimen)},
-                              {"coordination_number", dem2d::coordination_number(specimen)},
-                              {"floaters", dem2d::floaters(specimen)},
-                              {"equilibrium_ratio", specimen.equilibrium_ratio},
-                              {"critical_step_s", critical_step_of(specimen)},
-                              {"width_m", width},
-                              {"height_m", height},
-                              {"seed", options.seed}};
-  say(options.common, "{}: {} discs, {} joints, coordination {:.2f}, porosity {:.3f}, critical step {:.3g} s -> {}\n",
-      rock.name, specimen.x.size(), specimen.disc1.size(), dem2d::coordination_number(specimen),
-      dem2d::porosity(specimen), result["critical_step_s"].get<double>(), options.output);
-  write_json(options.common, result);
+  report(options, specimen);
 }
 
 }  // namespace
@@ -72,6 +126,11 @@ void add_specimen(CLI::App& app) {
       ->check(finite_positive());
   command->add_option("--height-mm", options->height_mm, "instead of specimen.height_mm of the rock file")
       ->check(finite_positive());
+  command
+      ->add_option("--from-discs", options->discs_file,
+                   "join the discs of this table (x_m, y_m, radius_m) instead of packing; the box is fitted to them "
+                   "unless --width-mm and --height-mm say where it ends")
+      ->check(not_empty());
   add_computing(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -22,16 +22,30 @@
 ///
 /// **Strength** of a bonded element, with sigma = N / L and the trial shear stress tau* = tau + ks ds:
 /// it breaks in tension when sigma >= tensile strength, otherwise in shear when
-/// |tau*| >= max(0, cohesion - sigma tan(friction angle)). A broken element carries compression and Coulomb friction:
-/// |tau| <= -mu sigma. It never heals. At a break tau drops to zero (residual cohesion is not modelled).
+/// |tau*| >= max(0, cohesion - sigma tan(friction angle)). It never heals.
+///
+/// **After the break** an element carries compression and friction while it is pressed (sigma < 0) and nothing
+/// otherwise: |tau| <= c_r - mu sigma, with the residual cohesion c_r only for elements broken in shear. At the break
+/// itself tau drops to zero, or with `drop_to_residual` to that limit. An element that was never bonded behaves as one
+/// broken in tension.
+///
+/// **A wholly bonded joint** needs no loop: all its elements have had the same ds, so they share one tau, and
+///
+///     N = 2R kn gap      T = 2R tau      M = -(2/3) R^3 kn rotation
+///     largest element stress = kn (gap + |rotation| (R - L/2))
+///
+/// `update_whole_joint` uses these as long as no element is near its strength; a joint at its strength, or damaged,
+/// goes element by element (`update_flat_joint`, the reference: both give the same breaks, and forces equal to
+/// rounding).
 ///
 /// **Symbols.** kn, ks [Pa/m] stiffness as stress per displacement; R, L, r, l [m]; g [m]; sigma, tau [Pa];
 /// N [N/m] and m [N] are per metre of out-of-plane thickness; ds [m] shear displacement of disc 2 against disc 1 along
 /// t in this step; rotation [rad] of disc 2 against disc 1.
 ///
 /// **Source.** [Potyondy2012] and [Potyondy2015] for the interface of bonded and unbonded elements and its strength
-/// envelope. The resultants above are the integrals of the piecewise linear stress, done by hand (checked by quadrature
-/// in tests/unit/flat_joint_test.cpp).
+/// envelope; [ItascaPFC, flat joint properties] for the two modes of the drop at a shear break (which is the vendor's
+/// default is not known to us: ours is zero). The resultants above are the integrals of the piecewise linear stress,
+/// derived in docs/flat_joint.md.
 ///
 /// **Differences and validity.** Small rotation (sin(rotation) = rotation). The stress that breaks or slides an element
 /// is its mean N / L, also when it is partly open.
@@ -41,7 +55,7 @@
 
 namespace dem2d {
 
-enum class ElementState : std::uint8_t { broken_in_tension = 1, broken_in_shear = 2, bonded = 3 };
+enum class ElementState : std::uint8_t { never_bonded = 0, broken_in_tension = 1, broken_in_shear = 2, bonded = 3 };
 
 /// Stiffness and strength of one joint.
 struct FlatJointLaw {
@@ -52,7 +66,9 @@ struct FlatJointLaw {
   double tensile_strength;    ///< [Pa]
   double cohesion;            ///< [Pa]
   double tan_friction_angle;  ///< of the bonded element [1]
-  double friction;            ///< mu of the broken element [1]
+  double friction;            ///< mu of the unbonded element [1]
+  double residual_cohesion;   ///< c_r of an element broken in shear [Pa]
+  bool drop_to_residual;      ///< tau at a shear break: false to zero, true to the residual strength
 };
 
 /// Motion of the interface at time t, and the shear displacement of the step that led there.
@@ -91,13 +107,19 @@ inline NormalResultant unbonded_resultant(double kn, double length, double gap_a
   return {force, force * (length / 2.0 - closed / 3.0)};
 }
 
+/// Largest shear stress of an unbonded element under the mean normal stress `stress` [Pa]; 0 when it is not pressed.
+inline double sliding_strength(const FlatJointLaw& law, ElementState state, double stress) {
+  if (stress >= 0.0) return 0.0;
+  return (state == ElementState::broken_in_shear ? law.residual_cohesion : 0.0) - law.friction * stress;
+}
+
 /// One step of one element: breaks or slides it, updates its state and shear stress, returns its normal resultant.
 inline NormalResultant update_element(const FlatJointLaw& law, double length, double gap_a, double gap_b,
                                       double shear_increment, ElementState& state, double& shear_stress) {
+  const double trial = shear_stress + law.shear_stiffness * shear_increment;
   if (state == ElementState::bonded) {
     const NormalResultant whole = bonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
     const double stress = whole.force / length;
-    const double trial = shear_stress + law.shear_stiffness * shear_increment;
     const double shear_strength = std::fmax(0.0, law.cohesion - stress * law.tan_friction_angle);
     if (stress >= law.tensile_strength) {
       state = ElementState::broken_in_tension;
@@ -107,37 +129,22 @@ inline NormalResultant update_element(const FlatJointLaw& law, double length, do
       shear_stress = trial;
       return whole;
     }
-    shear_stress = 0.0;
-    return unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
+    const NormalResultant after = unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
+    const bool keeps_some = state == ElementState::broken_in_shear && law.drop_to_residual;
+    const double limit = keeps_some ? sliding_strength(law, state, after.force / length) : 0.0;
+    shear_stress = std::fmin(std::fmax(trial, -limit), limit);
+    return after;
   }
   const NormalResultant pressed = unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
-  if (pressed.force >= 0.0) {
-    shear_stress = 0.0;
-  } else {
-    const double limit = -law.friction * pressed.force / length;
-    const double trial = shear_stress + law.shear_stiffness * shear_increment;
-    shear_stress = std::fmin(std::fmax(trial, -limit), limit);
-  }
+  const double limit = sliding_strength(law, state, pressed.force / length);
+  shear_stress = std::fmin(std::fmax(trial, -limit), limit);
   return pressed;
-}
-
-/// Elastic energy of one element [J/m]: the integral of kn g^2 / 2 over its bonded or closed part, and of tau^2 / (2
-/// ks).
-inline double stored_energy(const FlatJointLaw& law, double length, double gap_a, double gap_b, ElementState state,
-                            double shear_stress) {
-  const double shear = 0.5 * shear_stress * shear_stress / law.shear_stiffness * length;
-  const bool whole = state == ElementState::bonded || (gap_a <= 0.0 && gap_b <= 0.0);
-  if (whole) return shear + law.normal_stiffness * length * (gap_a * gap_a + gap_a * gap_b + gap_b * gap_b) / 6.0;
-  if (gap_a >= 0.0 && gap_b >= 0.0) return shear;
-  const double closed = std::fmin(gap_a, gap_b);  // the gap at the closed end; it falls to zero over the closed part
-  const double part = length * closed / (closed - std::fmax(gap_a, gap_b));
-  return shear + law.normal_stiffness * part * closed * closed / 6.0;
 }
 
 inline constexpr int max_elements = 64;  ///< of a joint: one bit each in the mask of breaks
 
-/// One step of one joint. `state` and `shear_stress` point at the joint's `elements` entries.
-/// Returns the force; bit e of `broken` is set when element e broke in this step.
+/// The reference: one step of one joint, element by element. `state` and `shear_stress` point at the joint's `elements`
+/// entries. Returns the force; bit e of `broken` is set when element e broke in this step.
 inline InterfaceForce update_flat_joint(const FlatJointLaw& law, const InterfaceMotion& motion, ElementState* state,
                                         double* shear_stress, std::uint64_t& broken) {
   InterfaceForce total;
@@ -156,6 +163,23 @@ inline InterfaceForce update_flat_joint(const FlatJointLaw& law, const Interface
     total.moment += (start + length / 2.0) * normal.force + normal.moment;
   }
   return total;
+}
+
+/// One step of a joint whose elements are all bonded: fills `force` and `shear_stress` (the tau they share) and returns
+/// true, or leaves both alone and returns false when an element may be at its strength (then the reference decides).
+inline bool update_whole_joint(const FlatJointLaw& law, const InterfaceMotion& motion, double& shear_stress,
+                               InterfaceForce& force) {
+  constexpr double margin = 1.0 - 1e-12;  // wider than rounding: whatever could break in the reference goes there
+  const double R = law.half_length, kn = law.normal_stiffness;
+  const double largest = kn * (motion.gap + std::fabs(motion.rotation) * (R - R / law.elements));
+  const double trial = shear_stress + law.shear_stiffness * motion.shear_increment;
+  if (largest >= margin * law.tensile_strength) return false;
+  if (std::fabs(trial) >= margin * (law.cohesion - largest * law.tan_friction_angle)) return false;
+  shear_stress = trial;
+  force = {.normal = 2.0 * R * kn * motion.gap,
+           .shear = 2.0 * R * trial,
+           .moment = -2.0 / 3.0 * R * R * R * kn * motion.rotation};
+  return true;
 }
 
 }  // namespace dem2d

@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/stop.hpp"
 #include "dem2d/cut/fragments.hpp"
+#include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
 #include "dem2d/tool/cutter.hpp"
@@ -33,7 +34,8 @@ Boundary wall(const CutCase& cut, const ConvexPolygon& shape) {
           .modulus = cut.rock.contact_modulus,
           .stiffness_ratio = cut.rock.contact_stiffness_ratio,
           .friction = cut.rock.contact_friction,
-          .damping_ratio = cut.rock.contact_damping_ratio};
+          .damping_ratio = cut.rock.contact_damping_ratio,
+          .shear_damping_ratio = cut.rock.contact_shear_damping_ratio};
 }
 
 void forgive_initial_overlaps(World& world) {
@@ -65,8 +67,9 @@ double mean(const std::vector<double>& values) {
 
 }  // namespace
 
-World make_cut_world(const CutCase& cut, const Specimen& bed, int threads) {
-  World world = bonded_world(bed, threads);
+World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& options) {
+  World world = bonded_world(bed, options.threads);
+  world.measure_energy = options.measure_energy;
   world.local_damping = cut.local_damping;
   const double margin = cut.domain_margin;
   world.domain = {-margin, -margin, bed.width + margin, bed.height + margin};
@@ -102,10 +105,10 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step) {
           .samples = std::llround(cut.cut_length / cut.sampling_distance)};
 }
 
-CutRun run_cut(const CutCase& cut, const Specimen& bed, int threads, int frames,
+CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options,
                const base::ProgressCallback& progress) {
   const auto started = std::chrono::steady_clock::now();
-  World world = make_cut_world(cut, bed, threads);
+  World world = make_cut_world(cut, bed, options);
   const CutSchedule schedule = plan_steps(cut, world.step);
   world.step = schedule.step;
   const double interval = schedule.step * schedule.steps_per_sample;
@@ -114,11 +117,13 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, int threads, int frames,
   run.joints = world.joints.count();
   run.step = schedule.step;
 
-  double work = 0.0, disc_steps = 0.0;
+  double disc_steps = 0.0;
   for (long long sample = 1; sample <= schedule.samples; ++sample) {
     double impulse_x = 0.0, impulse_y = 0.0;  // in steps times force
-    for (int step = 0; step < schedule.steps_per_sample; ++step) {
-      advance(world);
+    for (int step = 1; step <= schedule.steps_per_sample; ++step) {
+      find_forces(world);
+      if (options.measure_energy && step == schedule.steps_per_sample) run.energies.push_back(read_energies(world));
+      move(world);
       impulse_x -= world.boundaries[0].force_x;
       impulse_y += world.boundaries[0].force_y;
     }
@@ -128,11 +133,9 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, int threads, int frames,
     run.time.push_back(static_cast<double>(sample) * interval);
     run.force_x.push_back(impulse_x / schedule.steps_per_sample);
     run.force_y.push_back(impulse_y / schedule.steps_per_sample);
-    work += run.force_x.back() * cut.sampling_distance;
-    run.cutter_work.push_back(work);
-    run.kinetic_energy.push_back(kinetic_energy(world));
     const double tip_x = start_x(cut) + cut.sampling_distance * static_cast<double>(sample);
-    const bool frame_due = frames > 0 && sample * frames / schedule.samples != (sample - 1) * frames / schedule.samples;
+    const bool frame_due = options.frames > 0 && sample * options.frames / schedule.samples !=
+                                                     (sample - 1) * options.frames / schedule.samples;
     if (frame_due || sample == schedule.samples) run.frames.push_back(take_frame(world, tip_x));
     if (progress) progress(static_cast<double>(sample) * interval, static_cast<double>(schedule.samples) * interval);
   }
@@ -148,7 +151,7 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, int threads, int frames,
       static_cast<int>(std::count_if(run.cracks.begin(), run.cracks.end(), [](const Crack& c) { return c.mode == 1; }));
   run.cracks_shear = static_cast<int>(run.cracks.size()) - run.cracks_tensile;
   run.removed_discs = world.removed_discs;
-  run.injected_energy = world.injected_energy;
+  if (options.measure_energy) run.energy_residual_fraction = energy_residual_fraction({}, run.energies.back());
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   run.nanoseconds_per_disc_step = run.wall_time * 1e9 / disc_steps;
   return run;

@@ -13,6 +13,7 @@
 #include "base/progress.hpp"
 #include "dem2d/cut/cut_case.hpp"
 #include "dem2d/specimen/genesis.hpp"
+#include "dem2d/step/energy.hpp"
 
 namespace dem2d {
 
@@ -27,11 +28,11 @@ struct Frame {
 
 struct CutRun {
   // Force history. Each sample is the mean over the sampling interval that ends at `time`, so impulses are kept.
-  std::vector<double> time;            ///< [s]
-  std::vector<double> force_x;         ///< resistance to cutting, positive [N/m]
-  std::vector<double> force_y;         ///< push out of the rock, positive [N/m]
-  std::vector<double> cutter_work;     ///< done by the cutter so far [J/m]
-  std::vector<double> kinetic_energy;  ///< [J/m]
+  std::vector<double> time;     ///< [s]
+  std::vector<double> force_x;  ///< resistance to cutting, positive [N/m]
+  std::vector<double> force_y;  ///< push out of the rock, positive [N/m]
+  std::vector<Energies>
+      energies;  ///< since the start, at the last step of each sampling interval; empty if not measured
   std::vector<Crack> cracks;
   std::vector<Frame> frames;  ///< as requested, and always the last instant
 
@@ -44,13 +45,19 @@ struct CutRun {
   double specific_energy = 0.0;                   ///< mean_force_x / depth of cut [Pa]
   int cracks_tensile = 0, cracks_shear = 0;
   int removed_discs = 0;
-  double injected_energy = 0.0;  ///< net, by contacts that took over from joints [J/m]
-  double wall_time = 0.0;        ///< [s]
+  double energy_residual_fraction = 0.0;  ///< what the ledger cannot find, over the cutter's work [1]
+  double wall_time = 0.0;                 ///< [s]
   double nanoseconds_per_disc_step = 0.0;
 };
 
+struct CutOptions {
+  int threads = 1;
+  int frames = 0;              ///< extra snapshots, evenly spaced
+  bool measure_energy = true;  ///< costs a few percent of time; changes no force
+};
+
 /// The bed with cutter (boundary 0) and walls, prepared, with its critical step.
-World make_cut_world(const CutCase& cut, const Specimen& bed, int threads);
+World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& options = {});
 
 /// How the steps of a cut are laid out.
 struct CutSchedule {
@@ -61,8 +68,8 @@ struct CutSchedule {
 /// Throws `InputError` when the cut would take more than 1e9 steps.
 CutSchedule plan_steps(const CutCase& cut, double critical_step);
 
-/// `frames` extra snapshots, evenly spaced. Throws `SimulationError` or, when stopped by the user, `Interrupted`.
-CutRun run_cut(const CutCase& cut, const Specimen& bed, int threads, int frames = 0,
+/// Throws `SimulationError` or, when stopped by the user, `Interrupted`.
+CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options = {},
                const base::ProgressCallback& progress = {});
 
 }  // namespace dem2d

@@ -15,10 +15,7 @@ namespace dem2d {
 namespace {
 
 constexpr const char* format_name = "bitrock-run";
-constexpr long long format_version = 1;
-
-// Raised by hand whenever a change of the engine changes forces: old runs then no longer count as done.
-constexpr int physics_version = 1;
+constexpr long long format_version = 2;
 
 template <class Value, class Get>
 std::vector<Value> collect(const std::vector<Crack>& cracks, const Get& get) {
@@ -43,6 +40,28 @@ void write_cracks(base::Hdf5Writer& file, const std::vector<Crack>& cracks) {
   whole("/cracks/mode", &Crack::mode, "1 tension, 2 shear");
   whole("/cracks/disc_1", &Crack::disc1, "id of the first disc");
   whole("/cracks/disc_2", &Crack::disc2, "id of the second disc");
+}
+
+void write_energies(base::Hdf5Writer& file, const std::vector<Energies>& energies) {
+  if (energies.empty()) return;
+  const auto write = [&](const std::string& name, double Energies::*member, const char* meaning) {
+    std::vector<double> values;
+    values.reserve(energies.size());
+    for (const Energies& instant : energies) values.push_back(instant.*member);
+    file.array("/energy/" + name + "_J_per_m", values, "J/m", meaning);
+  };
+  write("cutter_work", &Energies::boundary_work, "work of the cutter so far");
+  write("kinetic", &Energies::kinetic, "of all discs in the domain");
+  write("strain_joints", &Energies::strain_joints, "elastic, in flat joints");
+  write("strain_contacts", &Energies::strain_contacts, "elastic, in contacts of loose discs");
+  write("strain_boundaries", &Energies::strain_boundaries, "elastic, in contacts with cutter and walls");
+  write("friction", &Energies::friction, "lost to friction so far");
+  write("dashpots", &Energies::dashpots, "lost to dashpots so far");
+  write("local_damping", &Energies::local_damping, "lost to local damping so far");
+  write("breaking", &Energies::breaking, "released by elements that broke so far");
+  write("switching", &Energies::switching, "lost by springs that closed or opened within a step so far");
+  write("removed", &Energies::removed, "gone with discs that left the domain so far");
+  write("injected", &Energies::injected, "net, by contacts that took over from joints so far");
 }
 
 void write_frame(base::Hdf5Writer& file, const std::string& group, const Frame& frame) {
@@ -81,15 +100,14 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
   file.attribute("mean_force_y_N_per_m", run.mean_force_y);
   file.attribute("specific_energy_Pa", run.specific_energy);
   file.attribute("removed_discs", static_cast<long long>(run.removed_discs));
-  file.attribute("injected_energy_J_per_m", run.injected_energy);
+  if (!run.energies.empty()) file.attribute("energy_residual_fraction", run.energy_residual_fraction);
   file.attribute("wall_s", run.wall_time);
   file.attribute("ns_per_disc_step", run.nanoseconds_per_disc_step);
 
   file.array("/force/time_s", run.time, "s", "end of the sampling interval");
   file.array("/force/x_N_per_m", run.force_x, "N/m", "resistance to cutting, mean over the sampling interval");
   file.array("/force/y_N_per_m", run.force_y, "N/m", "push out of the rock, mean over the sampling interval");
-  file.array("/energy/cutter_work_J_per_m", run.cutter_work, "J/m", "work of the cutter so far");
-  file.array("/energy/kinetic_J_per_m", run.kinetic_energy, "J/m", "of all discs in the domain");
+  write_energies(file, run.energies);
   write_cracks(file, run.cracks);
   for (std::size_t k = 0; k < run.frames.size(); ++k) {
     const bool last = k + 1 == run.frames.size();

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/errors.hpp"
 #include "base/random.hpp"
 #include "base/stop.hpp"
+#include "dem2d/specimen/packing_stress.hpp"
 #include "dem2d/step/neighbours.hpp"
-#include "dem2d/step/pairs.hpp"
 #include "dem2d/step/step.hpp"
 
 namespace dem2d {
@@ -18,12 +19,19 @@ namespace dem2d {
 namespace {
 
 // Packing schedule. None of these changes the rock beyond the equilibrium ratio reached; they change the time it takes.
-constexpr int calm_interval = 5;            // steps between two zeroings of all velocities
-constexpr double calm_overlap = 0.25;       // largest overlap over diameter after calming [1]
-constexpr int check_interval = 100;         // steps between two looks at overlap, step and equilibrium
-constexpr int most_calm_steps = 20000;      // seen to need a few hundred
-constexpr double most_discs = 1e7;          // some 10 GB
-constexpr int most_packing_steps = 400000;  // seen to need about 10,000
+constexpr int calm_interval = 5;             // steps between two zeroings of all velocities
+constexpr double calm_overlap = 0.25;        // largest overlap over diameter after calming [1]
+constexpr int check_interval = 100;          // steps between two looks at overlap, step and equilibrium
+constexpr int most_calm_steps = 20000;       // seen to need a few hundred
+constexpr double most_discs = 1e7;           // some 10 GB
+constexpr int most_packing_steps = 400000;   // of one equilibration; seen to need about 10,000
+constexpr int most_rounds = 200;             // of growth; seen to need less than ten, and 20 from the loosest cloud
+constexpr double rough_ratio = 1e-3;         // equilibrium ratio that is enough to look at the pressure and grow [1]
+constexpr int most_rough_steps = 2000;       // discs that are not yet packed never come to rest: grow after this many
+constexpr double pressure_tolerance = 0.01;  // of the wanted pressure [1]
+constexpr double most_growth = 0.02;         // of radii in one round: a loose packing gives no idea of how much [1]
+
+constexpr double no_shear_springs = std::numeric_limits<double>::infinity();  // kn / ks: discs slip without friction
 
 void fill_with_cloud(World& world, const Rock& rock, double width, double height, std::uint64_t seed) {
   base::Random random(seed);
@@ -43,7 +51,7 @@ void add_box(World& world, double width, double height, double modulus) {
   for (const ConvexPolygon& side :
        {rectangle(-thick, -thick, width + thick, 0.0), rectangle(-thick, height, width + thick, height + thick),
         rectangle(-thick, -thick, 0.0, height + thick), rectangle(width, -thick, width + thick, height + thick)}) {
-    world.boundaries.push_back({.shape = side, .modulus = modulus});
+    world.boundaries.push_back({.shape = side, .modulus = modulus, .stiffness_ratio = no_shear_springs});
   }
 }
 
@@ -65,12 +73,20 @@ void zero_velocities(Discs& discs) {
   }
 }
 
-void calm(World& world) {
+/// The critical step of the present contacts, but no longer than the smallest disc could take among six of its size:
+/// contacts come and go, and loose discs have none.
+void adapt_step(World& world, const Rock& rock) {
+  const double mass = std::numbers::pi * rock.radius_min * rock.radius_min * rock.density;
+  const double stiffness = 3.0 * rock.packing_modulus;  // sum of kn n_x^2, with kn = E* for equal discs
+  world.step = std::min(critical_step(world), 0.8 * std::sqrt(mass / stiffness));
+}
+
+void calm(World& world, const Rock& rock) {
   for (int step = 0; step < most_calm_steps; ++step) {
     if (step % check_interval == 0) {
       base::throw_if_stopped();
       if (largest_overlap_over_diameter(world) <= calm_overlap) return;
-      world.step = critical_step(world);  // heavy overlaps give way, contacts become fewer, the step may grow
+      adapt_step(world, rock);  // heavy overlaps give way, contacts become fewer, the step may grow
     }
     advance(world);
     if (step % calm_interval == calm_interval - 1) zero_velocities(world.discs);
@@ -80,21 +96,72 @@ void calm(World& world) {
       calm_overlap, most_calm_steps));
 }
 
-double equilibrate(World& world, double target, const base::ProgressCallback& progress) {
-  double first = 0.0, reached = 1.0;
-  for (int step = 0; step < most_packing_steps; ++step) {
+/// Shows how far the unbalanced force has come down, on a logarithmic scale. Growth throws it back; the display stays.
+class RestProgress {
+ public:
+  RestProgress(double target, base::ProgressCallback progress) : target_(target), progress_(std::move(progress)) {}
+  void show(double ratio) {
+    if (!progress_ || !(ratio > 0.0)) return;
+    first_ = std::max(first_, ratio);
+    if (first_ > target_) {
+      shown_ = std::clamp(std::log(first_ / ratio) / std::log(first_ / target_), shown_, 1.0);
+    }
+    progress_(shown_, 1.0);
+  }
+
+ private:
+  double target_, first_ = 0.0, shown_ = 0.0;
+  base::ProgressCallback progress_;
+};
+
+/// Returns the ratio reached, which is above `target` when `most_steps` were not enough.
+double equilibrate(World& world, const Rock& rock, double target, int most_steps, RestProgress& progress) {
+  double reached = 1.0;
+  for (int step = 0; step < most_steps && reached > target; ++step) {
     advance(world);
     if (step % check_interval != check_interval - 1) continue;
     base::throw_if_stopped();
-    world.step = critical_step(world);
+    adapt_step(world, rock);
     reached = equilibrium_ratio(world);
-    if (reached <= target) return reached;
-    if (first == 0.0) first = reached;
-    if (progress) progress(std::clamp(std::log(first / reached) / std::log(first / target), 0.0, 1.0), 1.0);
+    progress.show(reached);
+  }
+  return reached;
+}
+
+void grow_to_pressure(Packing& packing, const Rock& rock, double area) {
+  const double growth =
+      std::clamp(growth_for_pressure(packing.world, area, rock.packing_pressure), -most_growth, most_growth);
+  packing.radius_factor *= 1.0 + growth;
+  grow(packing.world, 1.0 + growth);
+  zero_velocities(packing.world.discs);
+}
+
+/// Grows the discs until the packing is at rest under the wanted pressure: roughly at first, then as the rock file
+/// asks.
+void bring_to_pressure(Packing& packing, const Rock& rock, double area, const base::ProgressCallback& progress) {
+  const double wanted = rock.packing_pressure, target = rock.equilibrium_ratio;
+  RestProgress rest(target, progress);
+  bool rough = wanted > 0.0;
+  for (int round = 0; round < most_rounds; ++round) {
+    packing.equilibrium_ratio = rough ? equilibrate(packing.world, rock, rough_ratio, most_rough_steps, rest)
+                                      : equilibrate(packing.world, rock, target, most_packing_steps, rest);
+    if (!rough && packing.equilibrium_ratio > target) {
+      throw base::SimulationError(
+          fmt::format("the packing did not come to rest in {} steps (unbalanced / contact force {:.3g}, wanted {:.3g})",
+                      most_packing_steps, packing.equilibrium_ratio, target));
+    }
+    packing.pressure = mean_stress(packing.world, area).pressure();
+    const bool reached = wanted == 0.0 || std::fabs(packing.pressure - wanted) <= pressure_tolerance * wanted;
+    if (reached && !rough) return;
+    if (reached) {
+      rough = false;
+    } else {
+      grow_to_pressure(packing, rock, area);
+    }
   }
   throw base::SimulationError(
-      fmt::format("the packing did not come to rest in {} steps (unbalanced / contact force {:.3g}, wanted {:.3g})",
-                  most_packing_steps, reached, target));
+      fmt::format("the packing is at {:.4g} MPa after the discs have grown {} times (wanted {:.4g} MPa)",
+                  packing.pressure * 1e-6, most_rounds, wanted * 1e-6));
 }
 
 }  // namespace
@@ -119,101 +186,36 @@ void check_specimen_size(const Rock& rock, double width, double height, const st
   }
 }
 
-Specimen make_specimen(const Rock& rock, double width, double height, std::uint64_t seed, int threads,
-                       const base::ProgressCallback& progress) {
-  check_specimen_size(rock, width, height, "specimen");
-  World world;
+Packing pack(const Rock& rock, double width, double height, std::uint64_t seed, int threads,
+             const base::ProgressCallback& progress) {
+  Packing packing;
+  World& world = packing.world;
   world.threads = threads;
   world.contact_modulus = rock.packing_modulus;
+  world.contact_stiffness_ratio = no_shear_springs;
   world.local_damping = rock.packing_damping;
   world.domain = {0.0, 0.0, width, height};  // a centre that is pushed through a wall is lost
   fill_with_cloud(world, rock, width, height, seed);
   add_box(world, width, height, rock.packing_modulus);
   prepare(world);
-  calm(world);
+  calm(world, rock);
+  bring_to_pressure(packing, rock, width * height, progress);
+  return packing;
+}
 
+Specimen make_specimen(const Rock& rock, double width, double height, std::uint64_t seed, int threads,
+                       const base::ProgressCallback& progress) {
+  check_specimen_size(rock, width, height, "specimen");
+  Packing packing = pack(rock, width, height, seed, threads, progress);
   Specimen specimen{.rock = rock, .width = width, .height = height, .seed = seed};
-  specimen.equilibrium_ratio = equilibrate(world, rock.equilibrium_ratio, progress);
-  specimen.x = world.discs.x;
-  specimen.y = world.discs.y;
-  specimen.radius = world.discs.radius;
-  Pairs pairs = pairs_within(world.discs, rock.installation_gap);
-  specimen.disc1 = std::move(pairs.disc1);
-  specimen.disc2 = std::move(pairs.disc2);
+  specimen.x = std::move(packing.world.discs.x);
+  specimen.y = std::move(packing.world.discs.y);
+  specimen.radius = std::move(packing.world.discs.radius);
+  specimen.equilibrium_ratio = packing.equilibrium_ratio;
+  specimen.pressure = packing.pressure;
+  specimen.radius_factor = packing.radius_factor;
+  join_neighbours(specimen);
   return specimen;
-}
-
-std::string mismatch(const Specimen& kept, const Rock& rock, double width, double height, std::uint64_t seed) {
-  if (kept.width != width || kept.height != height) {
-    return fmt::format("{:.6g} x {:.6g} mm (wanted is a bed of {:.6g} x {:.6g} mm)", kept.width * 1e3,
-                       kept.height * 1e3, width * 1e3, height * 1e3);
-  }
-  Rock of_kept = kept.rock, wanted = rock;
-  if (base::to_toml(describe_material(of_kept)) != base::to_toml(describe_material(wanted))) {
-    return "made of another rock than is wanted";
-  }
-  if (kept.seed != seed) return fmt::format("made with seed {} (wanted is {})", kept.seed, seed);
-  return "";
-}
-
-namespace {
-
-/// Area of the lens shared by two overlapping discs of radius a and b at distance d [m2].
-double lens_area(double a, double b, double d) {
-  if (d >= a + b) return 0.0;
-  if (d <= std::fabs(a - b)) return std::numbers::pi * std::min(a, b) * std::min(a, b);
-  const double alpha = std::acos(std::clamp((d * d + a * a - b * b) / (2.0 * d * a), -1.0, 1.0));
-  const double beta = std::acos(std::clamp((d * d + b * b - a * a) / (2.0 * d * b), -1.0, 1.0));
-  return a * a * (alpha - 0.5 * std::sin(2.0 * alpha)) + b * b * (beta - 0.5 * std::sin(2.0 * beta));
-}
-
-}  // namespace
-
-double porosity(const Specimen& specimen) {
-  double covered = 0.0;
-  for (const double radius : specimen.radius) covered += std::numbers::pi * radius * radius;
-  for (std::size_t k = 0; k < specimen.disc1.size(); ++k) {
-    const auto i = static_cast<std::size_t>(specimen.disc1[k]), j = static_cast<std::size_t>(specimen.disc2[k]);
-    const double distance = std::hypot(specimen.x[j] - specimen.x[i], specimen.y[j] - specimen.y[i]);
-    covered -= lens_area(specimen.radius[i], specimen.radius[j], distance);
-  }
-  return 1.0 - covered / (specimen.width * specimen.height);
-}
-
-double coordination_number(const Specimen& specimen) {
-  return 2.0 * static_cast<double>(specimen.disc1.size()) / static_cast<double>(specimen.x.size());
-}
-
-int floaters(const Specimen& specimen) {
-  std::vector<int> joints(specimen.x.size(), 0);
-  for (const int disc : specimen.disc1) ++joints[static_cast<std::size_t>(disc)];
-  for (const int disc : specimen.disc2) ++joints[static_cast<std::size_t>(disc)];
-  return static_cast<int>(std::count_if(joints.begin(), joints.end(), [](int count) { return count < 2; }));
-}
-
-World bonded_world(const Specimen& specimen, int threads) {
-  const Rock& rock = specimen.rock;
-  World world;
-  world.threads = threads;
-  world.contact_modulus = rock.contact_modulus;
-  world.contact_stiffness_ratio = rock.contact_stiffness_ratio;
-  world.contact_friction = rock.contact_friction;
-  world.contact_damping_ratio = rock.contact_damping_ratio;
-  for (std::size_t i = 0; i < specimen.x.size(); ++i) {
-    add_disc(world.discs, specimen.x[i], specimen.y[i], specimen.radius[i], rock.density);
-  }
-  world.joints.elements = rock.elements;
-  const JointProperties properties{.modulus = rock.joint_modulus,
-                                   .stiffness_ratio = rock.joint_stiffness_ratio,
-                                   .radius_multiplier = rock.radius_multiplier,
-                                   .tensile_strength = rock.tensile_strength,
-                                   .cohesion = rock.cohesion,
-                                   .friction_angle = rock.friction_angle,
-                                   .friction = rock.friction};
-  for (std::size_t k = 0; k < specimen.disc1.size(); ++k) {
-    add_joint(world, specimen.disc1[k], specimen.disc2[k], properties);
-  }
-  return world;
 }
 
 }  // namespace dem2d

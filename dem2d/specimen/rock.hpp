@@ -23,25 +23,34 @@ struct Rock {
   double porosity = 0.10;       ///< of the cloud before it is packed, overlaps not counted [1]
 
   // flat joints
-  double joint_modulus = 1.5e9;        ///< E* [Pa]
-  double joint_stiffness_ratio = 2.5;  ///< kappa [1]
-  double tensile_strength = 10e6;      ///< [Pa]
-  double cohesion = 50e6;              ///< [Pa]
-  double friction_angle = 0.0;         ///< of bonded elements [rad]
-  double friction = 0.577;             ///< of broken elements [1]
-  int elements = 2;                    ///< N_r [1]
-  double radius_multiplier = 1.0;      ///< lambda [1]
-  double installation_gap = 0.05e-3;   ///< discs closer than this are joined [m]
+  double joint_modulus = 1.5e9;             ///< E* [Pa]
+  double joint_stiffness_ratio = 2.5;       ///< kappa [1]
+  double tensile_strength = 10e6;           ///< [Pa]
+  double cohesion = 50e6;                   ///< [Pa]
+  double friction_angle = 0.0;              ///< of bonded elements [rad]
+  double friction = 0.577;                  ///< of broken elements [1]
+  int elements = 2;                         ///< N_r [1]
+  double radius_multiplier = 1.0;           ///< lambda [1]
+  double installation_gap = 0.05e-3;        ///< discs closer than this are joined [m]
+  double tensile_strength_deviation = 0.0;  ///< standard deviation from joint to joint [Pa]
+  double cohesion_deviation = 0.0;          ///< standard deviation from joint to joint [Pa]
+  double gapped_fraction = 0.0;             ///< of joints that are not bonded and start apart [1]
+  double slit_fraction = 0.0;               ///< of joints that are not bonded and start touching [1]
+  double initial_gap = 0.0;                 ///< of gapped joints [m]
+  double residual_cohesion = 0.0;           ///< of elements broken in shear [Pa]
+  bool drop_to_residual = false;            ///< shear stress at a shear break: false to zero
 
   // linear contacts: loose discs
-  double contact_modulus = 1.5e9;        ///< E* [Pa]
-  double contact_stiffness_ratio = 2.5;  ///< kappa [1]
-  double contact_friction = 0.577;       ///< [1]
-  double contact_damping_ratio = 0.5;    ///< beta, share of critical [1]
+  double contact_modulus = 1.5e9;            ///< E* [Pa]
+  double contact_stiffness_ratio = 2.5;      ///< kappa [1]
+  double contact_friction = 0.577;           ///< [1]
+  double contact_damping_ratio = 0.5;        ///< beta, share of critical [1]
+  double contact_shear_damping_ratio = 0.0;  ///< beta_s, share of critical [1]
 
   // packing
   double packing_modulus = 1.0e9;   ///< E* of the frictionless contacts while packing [Pa]
   double packing_damping = 0.7;     ///< local damping while packing [1]
+  double packing_pressure = 30e6;   ///< isotropic, by growing all discs; 0: what the cloud gives [Pa]
   double equilibrium_ratio = 1e-4;  ///< packing is calm below this ratio of unbalanced to contact force [1]
 
   // specimen, when made on its own (a cut brings its own bed size)

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
 #include "base/version.hpp"
+#include "dem2d/specimen/genesis.hpp"
 
 namespace dem2d {
 
@@ -26,7 +27,10 @@ void write_specimen(const Specimen& specimen, const std::filesystem::path& path)
   file.attribute("seed", static_cast<long long>(specimen.seed));
   file.attribute("width_m", specimen.width);
   file.attribute("height_m", specimen.height);
+  file.attribute("origin", specimen.origin);
   file.attribute("equilibrium_ratio", specimen.equilibrium_ratio);
+  file.attribute("pressure_Pa", specimen.pressure);
+  file.attribute("radius_factor", specimen.radius_factor);
   file.array("/discs/x_m", specimen.x, "m", "disc centre, along the surface");
   file.array("/discs/y_m", specimen.y, "m", "disc centre, upwards from the bottom");
   file.array("/discs/radius_m", specimen.radius, "m", "disc radius");
@@ -49,7 +53,10 @@ Specimen read_specimen(const std::filesystem::path& path) {
   specimen.seed = static_cast<std::uint64_t>(file.number_attribute("seed"));
   specimen.width = file.number_attribute("width_m");
   specimen.height = file.number_attribute("height_m");
+  specimen.origin = file.text_attribute("origin");
   specimen.equilibrium_ratio = file.number_attribute("equilibrium_ratio");
+  specimen.pressure = file.number_attribute("pressure_Pa");
+  specimen.radius_factor = file.number_attribute("radius_factor");
   specimen.x = file.doubles("/discs/x_m");
   specimen.y = file.doubles("/discs/y_m");
   specimen.radius = file.doubles("/discs/radius_m");

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "dem2d/specimen/genesis.hpp"
+#include "dem2d/specimen/specimen.hpp"
 
 namespace dem2d {
 

@@ -1,40 +1,18 @@
 // The force pass: reads positions and velocities, writes only forces and each contact's own history.
 #include <omp.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
+#include "dem2d/contact/flat_joint_energy.hpp"
+#include "dem2d/step/pair_motion.hpp"
 #include "dem2d/step/step.hpp"
 
 namespace dem2d {
 
 namespace {
-
-/// How disc 2 moves against disc 1 at their contact: n from 1 to 2, t = z x n; `lever` from centre to contact point.
-struct PairMotion {
-  double distance, normal_x, normal_y;
-  double lever1, lever2;
-  double normal_speed;  ///< opening positive [m/s]
-  double shear_speed;   ///< along t [m/s]
-};
-
-/// With t = (-n_y, n_x), the velocity of disc 2's material point minus disc 1's, along t, is
-/// (v2 - v1).t - w2 lever2 - w1 lever1; a rigid rotation of the pair gives zero because lever1 + lever2 = distance.
-inline PairMotion pair_motion(const Discs& discs, std::size_t i, std::size_t j) {
-  PairMotion motion;
-  const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
-  motion.distance = std::sqrt(dx * dx + dy * dy);
-  motion.normal_x = dx / motion.distance;
-  motion.normal_y = dy / motion.distance;
-  const double gap = motion.distance - discs.radius[i] - discs.radius[j];
-  motion.lever1 = discs.radius[i] + 0.5 * gap;  // the contact point is the middle of gap or overlap
-  motion.lever2 = discs.radius[j] + 0.5 * gap;
-  const double du = discs.velocity_x[j] - discs.velocity_x[i], dv = discs.velocity_y[j] - discs.velocity_y[i];
-  motion.normal_speed = du * motion.normal_x + dv * motion.normal_y;
-  motion.shear_speed =
-      dv * motion.normal_x - du * motion.normal_y - discs.spin[j] * motion.lever2 - discs.spin[i] * motion.lever1;
-  return motion;
-}
 
 /// Writes what a pair force does to both discs: `pull` along n and `shear` along t act on disc 1, their negatives on
 /// disc 2; `moment` is the interface's own moment, minus it on disc 1.
@@ -71,26 +49,82 @@ inline void record_cracks(std::vector<Crack>& fresh, const World& world, std::si
   }
 }
 
+/// Adds up what the elements of a joint lost in this step. `state` and `shear_stress` are those before the step.
+inline void measure_joint(World& world, std::size_t joint, const FlatJointLaw& law, const PairMotion& pair,
+                          const InterfaceMotion& motion, const ElementState* state, const double* shear_stress) {
+  FlatJoints& joints = world.joints;
+  const auto i = static_cast<std::size_t>(joints.disc1[joint]), j = static_cast<std::size_t>(joints.disc2[joint]);
+  const double length = 2.0 * law.half_length / law.elements;
+  const double gap_before = motion.gap - pair.normal_speed * world.step;
+  const double rotation_before = motion.rotation - (world.discs.spin[j] - world.discs.spin[i]) * world.step;
+  const auto first = joint * static_cast<std::size_t>(law.elements);
+  for (int e = 0; e < law.elements; ++e) {
+    const double start = -law.half_length + length * e, end = start + length;
+    const auto element = first + static_cast<std::size_t>(e);
+    const ElementLoss loss = element_loss(
+        law, length,
+        {{gap_before - rotation_before * start, gap_before - rotation_before * end}, state[e], shear_stress[e]},
+        {{motion.gap - motion.rotation * start, motion.gap - motion.rotation * end},
+         joints.state[element],
+         joints.shear_stress[element]},
+        motion.shear_increment);
+    joints.friction_loss[joint] += loss.friction;
+    joints.switching_loss[joint] += loss.switching;
+    joints.breaking_loss[joint] += loss.breaking;
+  }
+}
+
+/// The reference path, and the only one for a joint that is damaged or at its strength. Few joints are, so it is kept
+/// out of the loop over the others.
+template <bool measured>
+[[gnu::noinline]] InterfaceForce element_by_element(World& world, std::size_t joint, const FlatJointLaw& law,
+                                                    const PairMotion& pair, const InterfaceMotion& motion,
+                                                    std::vector<Crack>& fresh) {
+  FlatJoints& joints = world.joints;
+  const auto elements = static_cast<std::size_t>(law.elements), first = joint * elements;
+  std::array<ElementState, max_elements> state_before;
+  std::array<double, max_elements> shear_before;
+  if constexpr (measured) {
+    std::copy_n(&joints.state[first], elements, state_before.begin());
+    std::copy_n(&joints.shear_stress[first], elements, shear_before.begin());
+  }
+  std::uint64_t broken = 0;
+  const InterfaceForce force =
+      update_flat_joint(law, motion, &joints.state[first], &joints.shear_stress[first], broken);
+  if (broken != 0) {
+    joints.bonded[joint] -= std::popcount(broken);
+    record_cracks(fresh, world, joint, pair, broken);
+  }
+  if constexpr (measured) {
+    measure_joint(world, joint, law, pair, motion, state_before.data(), shear_before.data());
+  }
+  return force;
+}
+
+template <bool measured>
 inline void one_joint(World& world, std::size_t joint, std::vector<Crack>& fresh) {
   FlatJoints& joints = world.joints;
   const auto i = static_cast<std::size_t>(joints.disc1[joint]), j = static_cast<std::size_t>(joints.disc2[joint]);
   const PairMotion pair = pair_motion(world.discs, i, j);
   const InterfaceMotion motion{
-      .gap = pair.distance - joints.stress_free_distance[joint],
+      .gap = pair.distance - joints.touching_distance[joint],
       .rotation = world.discs.angle[j] - world.discs.angle[i] - joints.stress_free_rotation[joint],
       .shear_increment = pair.shear_speed * world.step};
   joints.shear_displacement[joint] += motion.shear_increment;
-  const auto first = joint * static_cast<std::size_t>(joints.elements);
-  std::uint64_t broken = 0;
-  const InterfaceForce force = update_flat_joint(joints.law(static_cast<int>(joint)), motion, &joints.state[first],
-                                                 &joints.shear_stress[first], broken);
-  if (broken != 0) {
-    joints.bonded[joint] -= std::popcount(broken);
-    record_cracks(fresh, world, joint, pair, broken);
+  const FlatJointLaw law = joints.law(joint);
+  const auto elements = static_cast<std::size_t>(law.elements), first = joint * elements;
+  InterfaceForce force;
+  double shear_stress = joints.shear_stress[first];  // the elements of a whole joint share it
+  if (joints.bonded[joint] == law.elements && !world.reference_path &&
+      update_whole_joint(law, motion, shear_stress, force)) {
+    for (std::size_t e = 0; e < elements; ++e) joints.shear_stress[first + e] = shear_stress;
+  } else {
+    force = element_by_element<measured>(world, joint, law, pair, motion, fresh);
   }
   write_pair(world.slots, joint, pair, force.normal, force.shear, force.moment);
 }
 
+template <bool measured>
 inline void one_contact(World& world, std::size_t contact) {
   LinearContacts& contacts = world.contacts;
   const auto i = static_cast<std::size_t>(contacts.disc1[contact]),
@@ -98,18 +132,31 @@ inline void one_contact(World& world, std::size_t contact) {
   const std::size_t place = static_cast<std::size_t>(world.joints.count()) + contact;
   const PairMotion pair = pair_motion(world.discs, i, j);
   const double overlap = world.discs.radius[i] + world.discs.radius[j] - pair.distance;
-  const LinearLaw law{.normal_stiffness = contacts.normal_stiffness[contact],
-                      .shear_stiffness = contacts.normal_stiffness[contact] / world.contact_stiffness_ratio,
-                      .friction = world.contact_friction,
-                      .dashpot = contacts.dashpot[contact]};
-  const LinearForce force = update_linear_contact(law, overlap, -pair.normal_speed, pair.shear_speed * world.step,
-                                                  contacts.shear_force[contact]);
+  const double shear_increment = pair.shear_speed * world.step;
+  const LinearLaw law = contact_law(world, contact);
+  double& spring = contacts.spring[contact];
+  const double spring_before = spring;
+  const LinearForce force =
+      update_linear_contact(law, overlap, -pair.normal_speed, shear_increment, pair.shear_speed, spring);
+  if constexpr (measured) {
+    double& normal_dashpot = contacts.last_normal_dashpot[contact];
+    double& shear_dashpot = contacts.last_shear_dashpot[contact];
+    const double overlap_before = overlap + pair.normal_speed * world.step;
+    const LinearLoss loss = linear_loss(law, {overlap_before, spring_before, normal_dashpot, shear_dashpot},
+                                        {overlap, spring, force.normal_dashpot, force.shear_dashpot}, shear_increment);
+    contacts.friction_loss[contact] += loss.friction;
+    contacts.dashpot_loss[contact] += loss.dashpots;
+    contacts.switching_loss[contact] += loss.switching;
+    normal_dashpot = force.normal_dashpot;
+    shear_dashpot = force.shear_dashpot;
+  }
   write_pair(world.slots, place, pair, -force.normal, force.shear, 0.0);
 }
 
 /// Disc `i` against a boundary: n from the boundary to the disc, so the disc is "disc 2" and the boundary does not
 /// spin.
-inline void one_boundary_contact(const World& world, Boundary& boundary, std::size_t place) {
+template <bool measured>
+inline void one_boundary_contact(World& world, Boundary& boundary, std::size_t place) {
   const auto i = static_cast<std::size_t>(boundary.near[place]);
   const Discs& discs = world.discs;
   const NearestPoint point = nearest_point(boundary.shape, discs.x[i], discs.y[i]);
@@ -118,46 +165,76 @@ inline void one_boundary_contact(const World& world, Boundary& boundary, std::si
   const double lever = 0.5 * (discs.radius[i] + point.distance);  // to the middle of the overlap
   const double normal_speed = du * point.normal_x + dv * point.normal_y;
   const double shear_speed = dv * point.normal_x - du * point.normal_y - discs.spin[i] * lever;
-  const double kn = linear_wall_stiffness(boundary.modulus);
-  const LinearLaw law{.normal_stiffness = kn,
-                      .shear_stiffness = kn / boundary.stiffness_ratio,
-                      .friction = boundary.friction,
-                      .dashpot = dashpot_constant(boundary.damping_ratio, discs.mass[i], kn)};
-  const LinearForce force =
-      update_linear_contact(law, overlap, -normal_speed, shear_speed * world.step, boundary.shear_force[i]);
+  const double shear_increment = shear_speed * world.step;
+  const LinearLaw law = boundary_law(boundary, discs.mass[i]);
+  double& spring = boundary.spring[i];
+  const double spring_before = spring;
+  const LinearForce force = update_linear_contact(law, overlap, -normal_speed, shear_increment, shear_speed, spring);
+  if constexpr (measured) {
+    double& normal_dashpot = boundary.last_normal_dashpot[i];
+    double& shear_dashpot = boundary.last_shear_dashpot[i];
+    const double overlap_before = overlap + normal_speed * world.step;
+    const LinearLoss loss = linear_loss(law, {overlap_before, spring_before, normal_dashpot, shear_dashpot},
+                                        {overlap, spring, force.normal_dashpot, force.shear_dashpot}, shear_increment);
+    world.energy.friction += loss.friction;
+    world.energy.dashpots += loss.dashpots;
+    world.energy.switching += loss.switching;
+    normal_dashpot = force.normal_dashpot;
+    shear_dashpot = force.shear_dashpot;
+  }
   boundary.contact_force_x[place] = force.normal * point.normal_x + force.shear * point.normal_y;
   boundary.contact_force_y[place] = force.normal * point.normal_y - force.shear * point.normal_x;
   boundary.contact_moment[place] = lever * force.shear;
 }
 
-}  // namespace
-
-void joint_forces(World& world) {
+template <bool measured>
+void all_joints(World& world) {
   const int count = world.joints.count();
 #pragma omp parallel num_threads(world.threads) if (world.threads > 1)
   {
     std::vector<Crack>& fresh = world.fresh_cracks[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
-    for (int joint = 0; joint < count; ++joint) one_joint(world, static_cast<std::size_t>(joint), fresh);
+    for (int joint = 0; joint < count; ++joint) one_joint<measured>(world, static_cast<std::size_t>(joint), fresh);
   }
 }
 
-void contact_forces(World& world) {
+template <bool measured>
+void all_contacts(World& world) {
   const int count = world.contacts.count();
 #pragma omp parallel for num_threads(world.threads) if (world.threads > 1) schedule(static)
-  for (int contact = 0; contact < count; ++contact) one_contact(world, static_cast<std::size_t>(contact));
+  for (int contact = 0; contact < count; ++contact) one_contact<measured>(world, static_cast<std::size_t>(contact));
 }
 
-void boundary_forces(World& world) {
+template <bool measured>
+void all_boundary_contacts(World& world) {
   for (Boundary& boundary : world.boundaries) {  // few discs are near a boundary: not worth threads
+    const double last_x = boundary.force_x, last_y = boundary.force_y;
     boundary.force_x = 0.0;
     boundary.force_y = 0.0;
     for (std::size_t place = 0; place < boundary.near.size(); ++place) {
-      one_boundary_contact(world, boundary, place);
+      one_boundary_contact<measured>(world, boundary, place);
       boundary.force_x -= boundary.contact_force_x[place];
       boundary.force_y -= boundary.contact_force_y[place];
     }
+    if constexpr (measured) {
+      boundary.work -=
+          0.5 * ((last_x + boundary.force_x) * boundary.moved_x + (last_y + boundary.force_y) * boundary.moved_y);
+    }
   }
+}
+
+}  // namespace
+
+void joint_forces(World& world) {
+  world.measure_energy ? all_joints<true>(world) : all_joints<false>(world);
+}
+
+void contact_forces(World& world) {
+  world.measure_energy ? all_contacts<true>(world) : all_contacts<false>(world);
+}
+
+void boundary_forces(World& world) {
+  world.measure_energy ? all_boundary_contacts<true>(world) : all_boundary_contacts<false>(world);
 }
 
 void sum_forces(World& world) {

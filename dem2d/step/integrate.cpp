@@ -5,22 +5,15 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "dem2d/step/local_damping.hpp"
 #include "dem2d/step/step.hpp"
 
 namespace dem2d {
 
 namespace {
 
-/// Local damping of one component: F - alpha |F| sign(v); no damping at rest.
-inline double damped(double force, double velocity, double alpha) {
-  const double loss = alpha * std::fabs(force);
-  if (velocity > 0.0) return force - loss;
-  return velocity < 0.0 ? force + loss : force;
-}
-
-}  // namespace
-
-void integrate(World& world) {
+template <bool measured>
+void integrate_discs(World& world) {
   Discs& d = world.discs;
   const double dt = world.step, alpha = world.local_damping;
   const int count = d.count();
@@ -30,9 +23,19 @@ void integrate(World& world) {
               : largest_squared)
   for (int disc = 0; disc < count; ++disc) {
     const auto i = static_cast<std::size_t>(disc);
-    d.velocity_x[i] += damped(d.force_x[i], d.velocity_x[i], alpha) / d.mass[i] * dt;
-    d.velocity_y[i] += damped(d.force_y[i], d.velocity_y[i], alpha) / d.mass[i] * dt;
-    d.spin[i] += damped(d.moment[i], d.spin[i], alpha) / d.inertia[i] * dt;
+    const double loss_x = local_damping(d.force_x[i], d.velocity_x[i], alpha);
+    const double loss_y = local_damping(d.force_y[i], d.velocity_y[i], alpha);
+    const double loss_moment = local_damping(d.moment[i], d.spin[i], alpha);
+    const double gain_x = (d.force_x[i] - loss_x) / d.mass[i] * dt;
+    const double gain_y = (d.force_y[i] - loss_y) / d.mass[i] * dt;
+    const double gain_spin = (d.moment[i] - loss_moment) / d.inertia[i] * dt;
+    if constexpr (measured) {  // force times the mean of the velocities before and after (step/energy.hpp)
+      d.damping_loss[i] += dt * (loss_x * (d.velocity_x[i] + 0.5 * gain_x) + loss_y * (d.velocity_y[i] + 0.5 * gain_y) +
+                                 loss_moment * (d.spin[i] + 0.5 * gain_spin));
+    }
+    d.velocity_x[i] += gain_x;
+    d.velocity_y[i] += gain_y;
+    d.spin[i] += gain_spin;
     d.x[i] += d.velocity_x[i] * dt;
     d.y[i] += d.velocity_y[i] * dt;
     d.angle[i] += d.spin[i] * dt;
@@ -42,9 +45,17 @@ void integrate(World& world) {
   world.largest_displacement = std::sqrt(largest_squared);
 }
 
+}  // namespace
+
+void integrate(World& world) {
+  world.measure_energy ? integrate_discs<true>(world) : integrate_discs<false>(world);
+}
+
 void move_boundaries(World& world) {
   for (Boundary& boundary : world.boundaries) {
     const double dx = boundary.velocity_x * world.step, dy = boundary.velocity_y * world.step;
+    boundary.moved_x = dx;
+    boundary.moved_y = dy;
     if (dx == 0.0 && dy == 0.0) continue;
     translate(boundary.shape, dx, dy);
     boundary.displaced += std::sqrt(dx * dx + dy * dy);
@@ -58,16 +69,6 @@ void collect_cracks(World& world) {
     world.cracks.insert(world.cracks.end(), fresh.begin(), fresh.end());
     fresh.clear();
   }
-}
-
-double kinetic_energy(const World& world) {
-  const Discs& d = world.discs;
-  double energy = 0.0;
-  for (std::size_t i = 0; i < d.x.size(); ++i) {
-    energy += 0.5 * d.mass[i] * (d.velocity_x[i] * d.velocity_x[i] + d.velocity_y[i] * d.velocity_y[i]) +
-              0.5 * d.inertia[i] * d.spin[i] * d.spin[i];
-  }
-  return energy;
 }
 
 void require_finite(const World& world) {

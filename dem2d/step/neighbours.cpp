@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "dem2d/step/energy.hpp"
 #include "dem2d/step/pairs.hpp"
 #include "dem2d/step/removal.hpp"
 #include "dem2d/step/step.hpp"
@@ -49,6 +50,7 @@ void list_contacts(World& world) {
   const Discs& discs = world.discs;
   const Pairs pairs = pairs_within(discs, world.skin);
   const Partners partners = joint_partners(world);
+  book_contact_losses(world);
   LinearContacts fresh;
   const LinearContacts& old = world.contacts;
   std::size_t cursor = 0;  // both lists are sorted by (disc1, disc2): one pass carries the histories over
@@ -66,7 +68,15 @@ void list_contacts(World& world) {
     fresh.disc2.push_back(j);
     fresh.normal_stiffness.push_back(kn);
     fresh.dashpot.push_back(dashpot_constant(world.contact_damping_ratio, reduced_mass, kn));
-    fresh.shear_force.push_back(known ? old.shear_force[cursor] : 0.0);
+    fresh.shear_dashpot.push_back(
+        dashpot_constant(world.contact_shear_damping_ratio, reduced_mass, kn / world.contact_stiffness_ratio));
+    fresh.spring.push_back(known ? old.spring[cursor] : 0.0);
+    if (!world.measure_energy) continue;
+    fresh.last_normal_dashpot.push_back(known ? old.last_normal_dashpot[cursor] : 0.0);
+    fresh.last_shear_dashpot.push_back(known ? old.last_shear_dashpot[cursor] : 0.0);
+    fresh.friction_loss.push_back(0.0);
+    fresh.dashpot_loss.push_back(0.0);
+    fresh.switching_loss.push_back(0.0);
   }
   world.contacts = std::move(fresh);
 }
@@ -74,8 +84,10 @@ void list_contacts(World& world) {
 void list_boundary_neighbours(World& world) {
   const Discs& discs = world.discs;
   for (Boundary& boundary : world.boundaries) {
-    boundary.shear_force.resize(discs.x.size(), 0.0);
-    boundary.reference_overlap.resize(discs.x.size(), 0.0);
+    for (std::vector<double>* values :
+         {&boundary.spring, &boundary.reference_overlap, &boundary.last_normal_dashpot, &boundary.last_shear_dashpot}) {
+      values->resize(discs.x.size(), 0.0);
+    }
     boundary.displaced = 0.0;
     boundary.near.clear();
     for (std::size_t i = 0; i < discs.x.size(); ++i) {
@@ -83,7 +95,7 @@ void list_boundary_neighbours(World& world) {
       if (point.distance < discs.radius[i] + world.skin) {
         boundary.near.push_back(static_cast<int>(i));
       } else {
-        boundary.shear_force[i] = 0.0;
+        boundary.spring[i] = 0.0;
         boundary.reference_overlap[i] = 0.0;  // once it has left, it comes back as a stranger
       }
     }
@@ -129,6 +141,12 @@ void prepare(World& world) {
   const std::size_t elements = world.joints.state.size();
   world.cracks.reserve(world.cracks.size() + elements);
   for (std::vector<Crack>& fresh : world.fresh_cracks) fresh.reserve(elements);
+  if (world.measure_energy) {
+    world.discs.damping_loss.resize(discs.x.size(), 0.0);
+    world.joints.friction_loss.resize(world.joints.disc1.size(), 0.0);
+    world.joints.switching_loss.resize(world.joints.disc1.size(), 0.0);
+    world.joints.breaking_loss.resize(world.joints.disc1.size(), 0.0);
+  }
   world.lists_valid = false;
   refresh_neighbours(world);
 }

@@ -2,13 +2,16 @@
 
 #include <cmath>
 
+#include "dem2d/step/energy.hpp"
+
 namespace dem2d {
 
 namespace {
 
-/// Keeps the entries whose flag is set, in order.
+/// Keeps the entries whose flag is set, in order. Arrays that are not in use are empty and stay so.
 template <class T>
 void keep(std::vector<T>& values, const std::vector<char>& flags, std::size_t entries_each = 1) {
+  if (values.empty()) return;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < flags.size(); ++i) {
     if (flags[i] == 0) continue;
@@ -24,8 +27,9 @@ void keep_joints(FlatJoints& joints, const std::vector<char>& flags) {
   keep(joints.bonded, flags);
   for (std::vector<double>* values :
        {&joints.half_length, &joints.normal_stiffness, &joints.shear_stiffness, &joints.tensile_strength,
-        &joints.cohesion, &joints.tan_friction_angle, &joints.friction, &joints.stress_free_distance,
-        &joints.stress_free_rotation, &joints.shear_displacement}) {
+        &joints.cohesion, &joints.tan_friction_angle, &joints.friction, &joints.touching_distance,
+        &joints.stress_free_rotation, &joints.shear_displacement, &joints.friction_loss, &joints.switching_loss,
+        &joints.breaking_loss}) {
     keep(*values, flags);
   }
   keep(joints.shear_stress, flags, static_cast<std::size_t>(joints.elements));
@@ -35,64 +39,32 @@ void keep_joints(FlatJoints& joints, const std::vector<char>& flags) {
 void keep_contacts(LinearContacts& contacts, const std::vector<char>& flags) {
   keep(contacts.disc1, flags);
   keep(contacts.disc2, flags);
-  keep(contacts.normal_stiffness, flags);
-  keep(contacts.dashpot, flags);
-  keep(contacts.shear_force, flags);
-}
-
-/// Where the two discs of a joint are to each other.
-struct JointGeometry {
-  double distance;  ///< between centres [m]
-  double overlap;   ///< of the discs, negative when apart [m]
-  double opening;   ///< of the faces at their middle [m]
-  double rotation;  ///< [rad]
-};
-
-JointGeometry joint_geometry(const World& world, std::size_t joint) {
-  const FlatJoints& joints = world.joints;
-  const Discs& d = world.discs;
-  const auto i = static_cast<std::size_t>(joints.disc1[joint]), j = static_cast<std::size_t>(joints.disc2[joint]);
-  const double distance = std::hypot(d.x[j] - d.x[i], d.y[j] - d.y[i]);
-  return {.distance = distance,
-          .overlap = d.radius[i] + d.radius[j] - distance,
-          .opening = distance - joints.stress_free_distance[joint],
-          .rotation = d.angle[j] - d.angle[i] - joints.stress_free_rotation[joint]};
+  for (std::vector<double>* values : {&contacts.normal_stiffness, &contacts.dashpot, &contacts.shear_dashpot,
+                                      &contacts.spring, &contacts.last_normal_dashpot, &contacts.last_shear_dashpot,
+                                      &contacts.friction_loss, &contacts.dashpot_loss, &contacts.switching_loss}) {
+    keep(*values, flags);
+  }
 }
 
 bool joint_is_over(const World& world, std::size_t joint) {
   const FlatJoints& joints = world.joints;
   if (joints.bonded[joint] > 0) return false;
-  const JointGeometry now = joint_geometry(world, joint);
+  const JointPosition now = joint_position(world, joint);
   const double half = joints.half_length[joint];
-  if (std::fabs(joints.shear_displacement[joint]) > 2.0 * half || now.opening > 2.0 * half) return true;
-  const bool open_everywhere = now.opening - std::fabs(now.rotation) * half > 0.0;
+  if (std::fabs(joints.shear_displacement[joint]) > 2.0 * half || now.gap > 2.0 * half) return true;
+  const bool open_everywhere = now.gap - std::fabs(now.rotation) * half > 0.0;
   return open_everywhere && -now.overlap > world.skin;
 }
 
-/// Elastic energy in a joint [J/m].
-double joint_energy(const World& world, std::size_t joint) {
-  const JointGeometry now = joint_geometry(world, joint);
-  const FlatJointLaw law = world.joints.law(static_cast<int>(joint));
-  const double length = 2.0 * law.half_length / law.elements;
-  double energy = 0.0;
-  for (int e = 0; e < law.elements; ++e) {
-    const double start = -law.half_length + length * e;
-    const auto element = joint * static_cast<std::size_t>(law.elements) + static_cast<std::size_t>(e);
-    energy +=
-        stored_energy(law, length, now.opening - now.rotation * start, now.opening - now.rotation * (start + length),
-                      world.joints.state[element], world.joints.shear_stress[element]);
-  }
-  return energy;
-}
-
 /// Elastic energy that the linear contact of two discs starts with when it takes over from a joint [J/m].
-double contact_energy(const World& world, std::size_t joint) {
-  const double overlap = joint_geometry(world, joint).overlap;
+double successor_energy(const World& world, std::size_t joint) {
+  const double overlap = joint_position(world, joint).overlap;
   if (overlap <= 0.0) return 0.0;
-  const Discs& d = world.discs;
-  const auto i = static_cast<std::size_t>(world.joints.disc1[joint]),
-             j = static_cast<std::size_t>(world.joints.disc2[joint]);
-  return 0.5 * linear_normal_stiffness(world.contact_modulus, d.radius[i], d.radius[j]) * overlap * overlap;
+  const std::vector<double>& radius = world.discs.radius;
+  const double kn =
+      linear_normal_stiffness(world.contact_modulus, radius[static_cast<std::size_t>(world.joints.disc1[joint])],
+                              radius[static_cast<std::size_t>(world.joints.disc2[joint])]);
+  return 0.5 * kn * overlap * overlap;
 }
 
 }  // namespace
@@ -104,9 +76,11 @@ void end_finished_joints(World& world) {
     if (!joint_is_over(world, joint)) continue;
     stays[joint] = 0;
     any_over = true;
-    world.injected_energy += contact_energy(world, joint) - joint_energy(world, joint);
+    world.energy.injected += successor_energy(world, joint) - joint_energy(world, joint);
   }
-  if (any_over) keep_joints(world.joints, stays);
+  if (!any_over) return;
+  book_joint_losses(world, stays);
+  keep_joints(world.joints, stays);
 }
 
 void remove_lost_discs(World& world) {
@@ -135,20 +109,26 @@ void remove_lost_discs(World& world) {
   const auto renumber = [&renumbered](std::vector<int>& indices) {
     for (int& index : indices) index = renumbered[static_cast<std::size_t>(index)];
   };
-  keep_joints(world.joints, both_stay(world.joints.disc1, world.joints.disc2));
-  keep_contacts(world.contacts, both_stay(world.contacts.disc1, world.contacts.disc2));
+  const std::vector<char> joints_stay = both_stay(world.joints.disc1, world.joints.disc2),
+                          contacts_stay = both_stay(world.contacts.disc1, world.contacts.disc2);
+  if (world.measure_energy) book_lost_discs(world, stays, joints_stay, contacts_stay);
+  keep_joints(world.joints, joints_stay);
+  keep_contacts(world.contacts, contacts_stay);
   for (std::vector<int>* indices :
        {&world.joints.disc1, &world.joints.disc2, &world.contacts.disc1, &world.contacts.disc2}) {
     renumber(*indices);
   }
   for (Boundary& boundary : world.boundaries) {
-    keep(boundary.shear_force, stays);
-    keep(boundary.reference_overlap, stays);
+    for (std::vector<double>* values :
+         {&boundary.spring, &boundary.reference_overlap, &boundary.last_normal_dashpot, &boundary.last_shear_dashpot}) {
+      keep(*values, stays);
+    }
   }
   keep(discs.id, stays);
   for (std::vector<double>* values :
        {&discs.x, &discs.y, &discs.angle, &discs.velocity_x, &discs.velocity_y, &discs.spin, &discs.force_x,
-        &discs.force_y, &discs.moment, &discs.radius, &discs.mass, &discs.inertia, &world.listed_x, &world.listed_y}) {
+        &discs.force_y, &discs.moment, &discs.radius, &discs.mass, &discs.inertia, &discs.damping_loss, &world.listed_x,
+        &world.listed_y}) {
     keep(*values, stays);
   }
 }

@@ -5,7 +5,7 @@
 /// length 2R, or the faces are open everywhere and the discs are farther apart than the skin: from then on the two are
 /// ordinary loose discs. Source of the first rule: [Potyondy2015]; the second saves keeping joints between fragments
 /// that flew apart. The rule is looked at only when lists are made anew. The change of elastic energy when a linear
-/// contact takes over from a joint (its overlap, less what the joint still held) adds up in `World::injected_energy`.
+/// contact takes over from a joint (its overlap, less what the joint still held) adds up in `World::energy.injected`.
 
 #include "dem2d/step/world.hpp"
 

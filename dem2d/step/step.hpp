@@ -15,7 +15,12 @@ namespace dem2d {
 /// Advances the world by `world.step`. Allocates nothing but at a rebuild of the neighbour lists.
 void advance(World& world);
 
-// The stages of `advance`, in its order.
+/// The two halves of `advance`. Between them positions and forces belong to the same instant: the place to look at
+/// energies (step/energy.hpp).
+void find_forces(World& world);
+void move(World& world);
+
+// The stages of `find_forces` and `move`, in their order.
 void refresh_neighbours(World& world);  ///< neighbours.cpp
 void joint_forces(World& world);        ///< forces.cpp
 void contact_forces(World& world);      ///< forces.cpp
@@ -32,17 +37,14 @@ void collect_cracks(World& world);      ///< integrate.cpp
 ///
 /// joint: Kn = kn 2R, Ks = ks 2R, Kr = kn (2/3) R^3, rho = distance from the centre to the interface; contact: Kr = 0.
 /// Source: [ItascaPFC, time-step determination] for the form. Margin: the central-difference scheme is stable for
-/// omega dt < 2. Row sums of the stiffness matrix (shear couples the motion and the spin of both discs) bound omega^2
-/// by 4 times the larger of k/m and k_rot/I, so omega^2 dt^2 <= 4 * 0.64 = 2.56 < 4: a guaranteed factor of 1.6 on
-/// stiffness for dashpots, which lower the limit, and for contacts that come later.
+/// omega dt < 2. For kappa >= 1 omega^2 is at most 4 times the larger of k/m and k_rot/I (proof in docs/flat_joint.md,
+/// "critical step"), so omega^2 dt^2 <= 4 * 0.64 = 2.56 < 4: a factor of 1.6 on stiffness for dashpots, which lower the
+/// limit, and for contacts that come later. With softer normals the margin shrinks; it is gone below kappa = 0.28.
 /// The step is not checked again during a run.
 double critical_step(const World& world);
 
 /// Mean unbalanced force over mean sum of contact forces, over all discs [1]; 0 when nothing touches.
 double equilibrium_ratio(const World& world);
-
-/// Kinetic energy of translation and rotation, with the velocities of half a step ago [J/m].
-double kinetic_energy(const World& world);
 
 /// Throws `SimulationError` with time and disc when a position, velocity or force is not a finite number.
 void require_finite(const World& world);

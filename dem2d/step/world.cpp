@@ -35,24 +35,16 @@ void add_joint(World& world, int disc1, int disc2, const JointProperties& proper
   joints.tan_friction_angle.push_back(std::tan(properties.friction_angle));
   joints.friction.push_back(properties.friction);
   const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
-  joints.stress_free_distance.push_back(std::sqrt(dx * dx + dy * dy));  // rounds as in the force pass: gap exactly 0
+  // the root rounds as in the force pass, so the gap of a bonded joint is exactly 0
+  const double initial_gap = properties.type == JointType::gapped ? properties.initial_gap : 0.0;
+  joints.touching_distance.push_back(std::sqrt(dx * dx + dy * dy) - initial_gap);
   joints.stress_free_rotation.push_back(discs.angle[j] - discs.angle[i]);
   joints.shear_displacement.push_back(0.0);
-  joints.bonded.push_back(joints.elements);
+  const bool bonded = properties.type == JointType::bonded;
+  joints.bonded.push_back(bonded ? joints.elements : 0);
   joints.shear_stress.insert(joints.shear_stress.end(), static_cast<std::size_t>(joints.elements), 0.0);
-  joints.state.insert(joints.state.end(), static_cast<std::size_t>(joints.elements), ElementState::bonded);
-}
-
-FlatJointLaw FlatJoints::law(int joint) const {
-  const auto j = static_cast<std::size_t>(joint);
-  return {.elements = elements,
-          .half_length = half_length[j],
-          .normal_stiffness = normal_stiffness[j],
-          .shear_stiffness = shear_stiffness[j],
-          .tensile_strength = tensile_strength[j],
-          .cohesion = cohesion[j],
-          .tan_friction_angle = tan_friction_angle[j],
-          .friction = friction[j]};
+  joints.state.insert(joints.state.end(), static_cast<std::size_t>(joints.elements),
+                      bonded ? ElementState::bonded : ElementState::never_bonded);
 }
 
 }  // namespace dem2d

@@ -24,6 +24,7 @@ struct Discs {
   std::vector<double> mass;                    ///< rho pi R^2 [kg/m]
   std::vector<double> inertia;                 ///< mass R^2 / 2 [kg m]
   std::vector<int> id;                         ///< number the disc was born with; keeps its meaning when others leave
+  std::vector<double> damping_loss;            ///< to local damping [J/m]; empty unless energy is measured
 
   int count() const { return static_cast<int>(x.size()); }
 };
@@ -34,19 +35,37 @@ void add_disc(Discs& discs, double x, double y, double radius, double density);
 /// One entry a joint; `shear_stress` and `state` hold `elements` entries a joint, one after the other.
 struct FlatJoints {
   int elements = 1;
+  double residual_cohesion = 0.0;  ///< of elements broken in shear [Pa]
+  bool drop_to_residual = false;   ///< shear stress at a shear break: false to zero, true to the residual strength
   std::vector<int> disc1, disc2;
   std::vector<double> half_length, normal_stiffness, shear_stiffness;            ///< [m], [Pa/m], [Pa/m]
   std::vector<double> tensile_strength, cohesion, tan_friction_angle, friction;  ///< [Pa], [Pa], [1], [1]
-  std::vector<double> stress_free_distance;  ///< between centres: the gap of the faces is distance minus this [m]
+  std::vector<double> touching_distance;     ///< between centres: the gap of the faces is distance minus this [m]
   std::vector<double> stress_free_rotation;  ///< angle of disc 2 minus angle of disc 1 at installation [rad]
   std::vector<double> shear_displacement;    ///< of disc 2 against disc 1 since installation [m]
   std::vector<int> bonded;                   ///< elements still bonded
   std::vector<double> shear_stress;          ///< [Pa]
   std::vector<ElementState> state;
+  std::vector<double> friction_loss, switching_loss, breaking_loss;  ///< [J/m]; empty unless energy is measured
 
   int count() const { return static_cast<int>(disc1.size()); }
-  FlatJointLaw law(int joint) const;
+  FlatJointLaw law(std::size_t j) const {
+    return {.elements = elements,
+            .half_length = half_length[j],
+            .normal_stiffness = normal_stiffness[j],
+            .shear_stiffness = shear_stiffness[j],
+            .tensile_strength = tensile_strength[j],
+            .cohesion = cohesion[j],
+            .tan_friction_angle = tan_friction_angle[j],
+            .friction = friction[j],
+            .residual_cohesion = residual_cohesion,
+            .drop_to_residual = drop_to_residual};
+  }
 };
+
+/// What a joint is like when it is made [Potyondy2012]: bonded; slit: faces touch, not bonded; gapped: faces apart by
+/// an initial gap, not bonded.
+enum class JointType { bonded, gapped, slit };
 
 struct JointProperties {
   double modulus;            ///< E* [Pa]
@@ -56,13 +75,18 @@ struct JointProperties {
   double cohesion;           ///< [Pa]
   double friction_angle;     ///< [rad]
   double friction;           ///< [1]
+  JointType type = JointType::bonded;
+  double initial_gap = 0.0;  ///< of a gapped joint [m]
 };
 
 /// Pairs of discs near enough to meet before the lists are made anew; sorted by (disc1, disc2), disc1 < disc2.
 struct LinearContacts {
   std::vector<int> disc1, disc2;
-  std::vector<double> normal_stiffness, dashpot;  ///< [Pa], [Pa s]
-  std::vector<double> shear_force;                ///< history of the contact [N/m]
+  std::vector<double> normal_stiffness, dashpot, shear_dashpot;  ///< [Pa], [Pa s], [Pa s]
+  std::vector<double> spring;                                    ///< history: force of the shear spring [N/m]
+  // empty unless energy is measured
+  std::vector<double> last_normal_dashpot, last_shear_dashpot;      ///< forces at the last step [N/m]
+  std::vector<double> friction_loss, dashpot_loss, switching_loss;  ///< [J/m]
 
   int count() const { return static_cast<int>(disc1.size()); }
 };
@@ -75,13 +99,19 @@ struct Boundary {
   double stiffness_ratio = 1.0;               ///< kappa [1]
   double friction = 0.0;                      ///< mu [1]
   double damping_ratio = 0.0;                 ///< beta [1]
+  double shear_damping_ratio = 0.0;           ///< beta_s [1]
 
   double force_x = 0.0, force_y = 0.0;    ///< of the discs on the boundary at the last step [N/m]
+  double moved_x = 0.0, moved_y = 0.0;    ///< in the last step [m]
   double displaced = 0.0;                 ///< path since the neighbour lists were made [m]
   std::vector<int> near;                  ///< discs that can touch before the lists are made anew
-  std::vector<double> shear_force;        ///< history, one entry a disc [N/m]
+  std::vector<double> spring;             ///< history: force of the shear spring, one entry a disc [N/m]
   std::vector<double> reference_overlap;  ///< overlap at the start that carries no force, one entry a disc [m]
   std::vector<double> contact_force_x, contact_force_y, contact_moment;  ///< on the discs of `near`
+
+  // only while energy is measured
+  double work = 0.0;                                            ///< done on the discs so far [J/m]
+  std::vector<double> last_normal_dashpot, last_shear_dashpot;  ///< one entry a disc [N/m]
 };
 
 /// One element that broke.
@@ -107,6 +137,18 @@ struct ForceSlots {
   std::vector<int> slot;
 };
 
+/// Where energy went that no longer is in motion or springs, summed over all that has left the lists and over boundary
+/// contacts [J/m]. Discs, joints and contacts on the lists hold their own losses (step/energy.hpp adds them up).
+struct EnergyAccounts {
+  double friction = 0.0;
+  double dashpots = 0.0;
+  double switching = 0.0;
+  double local_damping = 0.0;
+  double breaking = 0.0;
+  double removed = 0.0;   ///< kinetic and elastic energy of discs that left the domain
+  double injected = 0.0;  ///< net, by contacts that took over from joints that were over
+};
+
 struct World {
   Discs discs;
   FlatJoints joints;
@@ -116,15 +158,18 @@ struct World {
   Domain domain{};
 
   // linear contacts between discs
-  double contact_modulus = 0.0;          ///< E* [Pa]
-  double contact_stiffness_ratio = 1.0;  ///< kappa [1]
-  double contact_friction = 0.0;         ///< [1]
-  double contact_damping_ratio = 0.0;    ///< [1]
+  double contact_modulus = 0.0;              ///< E* [Pa]
+  double contact_stiffness_ratio = 1.0;      ///< kappa [1]
+  double contact_friction = 0.0;             ///< [1]
+  double contact_damping_ratio = 0.0;        ///< [1]
+  double contact_shear_damping_ratio = 0.0;  ///< [1]
 
   double local_damping = 0.0;  ///< alpha [1]
   double step = 0.0;           ///< dt [s]
   double time = 0.0;           ///< [s]
   int threads = 1;
+  bool reference_path = false;  ///< every joint element by element, also the wholly bonded ones
+  bool measure_energy = false;  ///< set before `prepare`; changes no force and no motion
 
   // neighbour lists
   double skin = 0.0;                       ///< lists hold every pair closer than this [m]
@@ -135,10 +180,10 @@ struct World {
   std::vector<std::vector<Crack>> fresh_cracks;  ///< of this step, one list a thread
 
   int removed_discs = 0;
-  double injected_energy = 0.0;  ///< net, by contacts that took over from joints [J/m]
+  EnergyAccounts energy;
 };
 
-/// Joins two discs at their present distance and angles, stress-free.
+/// Joins two discs at their present distance and angles, stress-free. Before `prepare`.
 void add_joint(World& world, int disc1, int disc2, const JointProperties& properties);
 
 }  // namespace dem2d

@@ -80,7 +80,7 @@ TEST(Neighbours, AJointEndsOnlyWhenBrokenAndFarApart) {
   world.lists_valid = false;
   dem2d::refresh_neighbours(world);
   EXPECT_EQ(world.joints.count(), 0);
-  EXPECT_EQ(world.injected_energy, 0.0);
+  EXPECT_EQ(world.energy.injected, 0.0);
 }
 
 TEST(Neighbours, NotANumberIsReportedWithItsDisc) {

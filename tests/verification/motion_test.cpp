@@ -7,6 +7,7 @@
 #include "base/random.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
+#include "tests/verification/joint_paths.hpp"
 
 namespace {
 
@@ -76,8 +77,11 @@ TEST(OneDiscOnAWall, SlidesWithCoulombFrictionAndThenRolls) {
   EXPECT_NEAR(world.discs.spin[0] * radius, -2.0 / 3.0 * v0, 1.4);
 }
 
-TEST(BondedPair, FirstStepsAgreeWithTheHandSteppedRecurrence) {
-  dem2d::World world = small_worlds::chain(2);
+class BondedPair : public verification::JointPaths {};
+INSTANTIATE_TEST_SUITE_P(Paths, BondedPair, testing::Bool(), verification::path_name);
+
+TEST_P(BondedPair, FirstStepsAgreeWithTheHandSteppedRecurrence) {
+  dem2d::World world = on_path(small_worlds::chain(2));
   world.discs.velocity_x = {-0.5, 0.5};
   dem2d::prepare(world);
   world.step = 1e-7;
@@ -91,9 +95,9 @@ TEST(BondedPair, FirstStepsAgreeWithTheHandSteppedRecurrence) {
   }
 }
 
-TEST(BondedPair, RigidRotationStrainsNothing) {
+TEST_P(BondedPair, RigidRotationStrainsNothing) {
   // Both discs turn about the middle of the pair; over many small steps shear and bending stay at round-off.
-  dem2d::World world = small_worlds::chain(2);
+  dem2d::World world = on_path(small_worlds::chain(2));
   dem2d::prepare(world);
   world.step = 1e-7;
   const double spin = 1.0;  // [rad/s]: centripetal stretch m w^2 R / kn = 8e-15 m, far below what is looked for
@@ -104,8 +108,8 @@ TEST(BondedPair, RigidRotationStrainsNothing) {
   EXPECT_NEAR(world.discs.spin[0], spin, 1e-9);
 }
 
-TEST(BondedPair, TheForceDoesNotDependOnTheOrderOfTheDiscs) {
-  dem2d::World forward = small_worlds::empty(), backward = small_worlds::empty();
+TEST_P(BondedPair, TheForceDoesNotDependOnTheOrderOfTheDiscs) {
+  dem2d::World forward = on_path(small_worlds::empty()), backward = forward;
   for (dem2d::World* world : {&forward, &backward}) {
     dem2d::add_disc(world->discs, 0.0, 0.0, 1e-3, 2500.0);
     dem2d::add_disc(world->discs, 1.2e-3, 0.9e-3, 0.6e-3, 2500.0);
@@ -145,8 +149,11 @@ Momentum momentum(const dem2d::World& world) {
   return sum;
 }
 
-TEST(IsolatedCluster, KeepsItsMomentumWhileItBreaks) {
-  dem2d::World world = small_worlds::empty();
+class IsolatedCluster : public verification::JointPaths {};
+INSTANTIATE_TEST_SUITE_P(Paths, IsolatedCluster, testing::Bool(), verification::path_name);
+
+TEST_P(IsolatedCluster, KeepsItsMomentumWhileItBreaks) {
+  dem2d::World world = on_path(small_worlds::empty());
   base::Random random(11);
   for (int row = 0; row < 5; ++row) {
     for (int column = 0; column < 6; ++column) {

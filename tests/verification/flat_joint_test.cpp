@@ -1,13 +1,16 @@
-// The flat-joint law on one interface: exact cases, strength envelope, and the resultants against quadrature.
+// The flat-joint law on one interface: exact cases, strength envelope, and the resultants against quadrature and
+// against the slopes of the stored energy.
 #include "dem2d/contact/flat_joint.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "base/random.hpp"
+#include "dem2d/contact/flat_joint_energy.hpp"
 
 namespace {
 
@@ -170,6 +173,75 @@ TEST(FlatJoint, ResultantsEqualQuadratureForRandomGaps) {
     ASSERT_NEAR(whole.force, expected_whole.force, 1e-12 * scale);
     ASSERT_NEAR(whole.moment, expected_whole.moment, 1e-12 * scale * length);
   }
+}
+
+/// A joint of 1 to 8 elements, some bonded and some not, that nothing can break and that slides without friction.
+Joint random_joint(base::Random& random) {
+  Joint joint(1 + static_cast<int>(base::below(random, 8)));
+  joint.law.friction = 0.0;
+  for (ElementState& state : joint.state) state = static_cast<ElementState>(base::below(random, 4));
+  return joint;
+}
+
+TEST(FlatJoint, ForceAndMomentOfPartlyBrokenJointsEqualQuadratureForRandomProfiles) {
+  // sum of element integrals about the middle of the joint: N = int sigma dr, M = int r sigma dr
+  base::Random random(3);
+  const double scale = normal_stiffness * 2.0 * half_length * 1e-5;
+  for (int trial = 0; trial < 2000; ++trial) {
+    Joint joint = random_joint(random);
+    const double gap = base::uniform(random, -1e-5, 1e-5), rotation = base::uniform(random, -1e-5, 1e-5) / half_length;
+    const double length = 2.0 * half_length / joint.law.elements;
+    double normal = 0.0, moment = 0.0;
+    for (int e = 0; e < joint.law.elements; ++e) {
+      const double middle = length * (e + 0.5 - 0.5 * joint.law.elements);
+      const auto expected =
+          by_quadrature(length, gap - rotation * (middle - 0.5 * length), gap - rotation * (middle + 0.5 * length),
+                        joint.state[static_cast<std::size_t>(e)] == ElementState::bonded);
+      normal += expected.force;
+      moment += middle * expected.force + expected.moment;
+    }
+    const auto force = joint.move(gap, rotation);
+    ASSERT_NEAR(force.normal, normal, 1e-12 * scale) << trial;
+    ASSERT_NEAR(force.moment, moment, 1e-12 * scale * half_length) << trial;
+  }
+}
+
+TEST(FlatJoint, ForceAndMomentAreTheSlopesOfTheStoredEnergy) {
+  // N = dU/d(gap), M = -dU/d(rotation), since the work of the discs on the joint is N d(gap) - M d(rotation). Central
+  // differences over 1e-6 of the gaps: their error is at most that share of the scale, where an element is about to
+  // open.
+  base::Random random(4);
+  const double scale = normal_stiffness * 2.0 * half_length * 1e-5, h = 1e-11;
+  for (int trial = 0; trial < 2000; ++trial) {
+    Joint joint = random_joint(random);
+    const double gap = base::uniform(random, -1e-5, 1e-5), rotation = base::uniform(random, -1e-5, 1e-5) / half_length;
+    const auto energy = [&joint](double at_gap, double at_rotation) {
+      const double length = 2.0 * half_length / joint.law.elements;
+      double sum = 0.0;
+      for (int e = 0; e < joint.law.elements; ++e) {
+        const double start = -half_length + length * e;
+        sum += stored_energy(joint.law, length, {at_gap - at_rotation * start, at_gap - at_rotation * (start + length)},
+                             joint.state[static_cast<std::size_t>(e)], 0.0);
+      }
+      return sum;
+    };
+    const auto force = joint.move(gap, rotation);
+    const double turn = h / half_length;
+    ASSERT_NEAR((energy(gap + h, rotation) - energy(gap - h, rotation)) / (2.0 * h), force.normal, 1e-6 * scale);
+    ASSERT_NEAR((energy(gap, rotation + turn) - energy(gap, rotation - turn)) / (2.0 * turn), -force.moment,
+                1e-6 * scale * half_length);
+  }
+}
+
+TEST(FlatJoint, ShearIsTheSlopeOfTheStoredEnergy) {
+  Joint joint(4);
+  joint.move(0.0, 0.0, 1e-6);
+  const double length = 0.5 * half_length, h = 1e-9;
+  const auto energy = [&](double slip) {
+    return 4.0 * stored_energy(joint.law, length, {0.0, 0.0}, ElementState::bonded, shear_stiffness * slip);
+  };
+  const double slope = (energy(1e-6 + h) - energy(1e-6 - h)) / (2.0 * h);
+  EXPECT_NEAR(slope, joint.move(0.0, 0.0).shear, 1e-9 * slope);  // exact for a square, but for rounding
 }
 
 }  // namespace

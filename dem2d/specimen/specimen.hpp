@@ -1,0 +1,49 @@
+#pragma once
+/// A specimen: discs, which of them are joined, and the rock they are made of. It comes from genesis (genesis.hpp) or
+/// from a packing made elsewhere (discs_file.hpp), is kept in a file (specimen_file.hpp), and becomes a world that can
+/// be loaded (bonded_world.hpp).
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "dem2d/specimen/rock.hpp"
+
+namespace dem2d {
+
+/// What `Specimen::origin` says of one that this program has packed.
+inline constexpr const char* origin_genesis = "genesis";
+
+struct Specimen {
+  Rock rock;
+  double width = 0.0, height = 0.0;  ///< of the box, its lower left corner at the origin [m]
+  std::uint64_t seed = 0;            ///< of the packing, and of what is random in the joints
+  std::string origin = origin_genesis;
+  std::vector<double> x, y, radius;  ///< discs [m]
+  std::vector<int> disc1, disc2;     ///< joined pairs
+
+  // Of the packing just before it was joined; all are 0 when the discs were packed elsewhere.
+  double equilibrium_ratio = 0.0;  ///< unbalanced over contact force [1]
+  double pressure = 0.0;           ///< mean, compression positive [Pa]
+  double radius_factor = 0.0;      ///< all radii have grown by this to reach the pressure [1]
+
+  bool packed_elsewhere() const { return origin != origin_genesis; }
+};
+
+/// Joins every pair of discs whose surfaces are not farther apart than the installation gap of the rock.
+void join_neighbours(Specimen& specimen);
+
+/// Why a kept specimen is not the one asked for (box, rock or seed), in words; empty when it is. Discs packed elsewhere
+/// have no seed: theirs is not compared.
+std::string mismatch(const Specimen& kept, const Rock& rock, double width, double height, std::uint64_t seed);
+
+/// Share of the box not covered, with the overlap of each joined pair counted once [1].
+double porosity(const Specimen& specimen);
+
+/// Mean number of joints of a disc [1].
+double coordination_number(const Specimen& specimen);
+
+/// Discs with fewer than three joints, too few to be held firmly [PotyondyCundall2004].
+int floaters(const Specimen& specimen);
+
+}  // namespace dem2d

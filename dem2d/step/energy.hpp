@@ -1,0 +1,77 @@
+#pragma once
+/// The energy ledger: where the work of the boundaries went. Switched on by `World::measure_energy` before `prepare`;
+/// it reads what the step does anyway and changes nothing, so a measured run is bit for bit the same run.
+///
+/// **Balance.** For any two instants,
+///
+///     work of boundaries + injected =
+///         change of (kinetic + strain) + friction + dashpots + local damping + breaking + switching + removed +
+///         residual
+///
+/// Kinetic energy comes from masses and velocities, strain energy from positions and stresses, losses from force times
+/// slip or velocity; only the last two are found by difference, each within one step of one contact: what a break
+/// releases, and **switching**, what the scheme itself gains or loses when a spring closes or opens somewhere within a
+/// step. (A spring k that closes at speed v takes k u v dt / 2 from the motion and holds k u^2 / 2, u being the overlap
+/// at the end of the step; on average it swallows k (v dt)^2 / 12, and gives as much when it opens at the same speed.
+/// Contacts with dashpots open slower than they close, so in a cut it is a small loss, of second order in dt.)
+/// The residual is therefore a check of the whole engine: what is left in it is rounding and the turning of contacts
+/// within a step.
+///
+/// **Leap-frog.** Velocities live half a step from positions, so energies must not simply be added. Over the interval
+/// from t to t + dt the discs move by v dt, v = v(t + dt/2), and the scheme gives exactly
+///
+///     m v(t + dt/2) (v(t + 3dt/2) - v(t - dt/2)) / 2 = (F(t) + F(t + dt))/2 v dt
+///
+/// so the kinetic energy that belongs to positions at t is m v(t - dt/2) v(t + dt/2) / 2 (a linear spring then keeps
+/// its energy to rounding), and the work of any force in the interval is the mean of its two values times the motion.
+///
+/// Source: derived here; the conserved product of the two velocities is common knowledge about the Verlet scheme.
+/// All energies in J per metre of thickness.
+
+#include <vector>
+
+#include "dem2d/step/world.hpp"
+
+namespace dem2d {
+
+struct Energies {
+  double kinetic = 0.0;
+  double strain_joints = 0.0, strain_contacts = 0.0, strain_boundaries = 0.0;
+  double friction = 0.0;  ///< of unbonded elements, loose discs and boundaries
+  double dashpots = 0.0;
+  double local_damping = 0.0;
+  double breaking = 0.0;       ///< released by elements that broke
+  double switching = 0.0;      ///< by springs that close or open within a step, see above
+  double removed = 0.0;        ///< with discs that left the domain
+  double injected = 0.0;       ///< net, by contacts that took over from joints that were over
+  double boundary_work = 0.0;  ///< of all boundaries on the discs
+};
+
+/// The ledger at this instant. Call between `find_forces` and `move` with `measure_energy` on. Sums run in the order of
+/// the lists, so the numbers are the same for any number of threads.
+Energies read_energies(const World& world);
+
+/// Work and injected energy since `start` that is found nowhere [J/m].
+double energy_residual(const Energies& start, const Energies& now);
+
+/// Residual over the work of the boundaries since `start`; 0 when there was none.
+double energy_residual_fraction(const Energies& start, const Energies& now);
+
+/// Where the faces of a joint and its discs are to each other.
+struct JointPosition {
+  double gap;       ///< of the faces at their middle [m]
+  double rotation;  ///< of disc 2 against disc 1 since installation [rad]
+  double overlap;   ///< of the discs, negative when apart [m]
+};
+JointPosition joint_position(const World& world, std::size_t joint);
+
+/// Elastic energy in a joint [J/m].
+double joint_energy(const World& world, std::size_t joint);
+
+// What leaves the lists hands its losses to `World::energy` first; `stays` has one flag an entry.
+void book_joint_losses(World& world, const std::vector<char>& stays);
+void book_contact_losses(World& world);  ///< of all contacts; theirs start again at 0
+void book_lost_discs(World& world, const std::vector<char>& discs_stay, const std::vector<char>& joints_stay,
+                     const std::vector<char>& contacts_stay);
+
+}  // namespace dem2d

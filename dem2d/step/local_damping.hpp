@@ -1,0 +1,16 @@
+#pragma once
+/// Local (non-viscous) damping of one component of motion [Cundall1987]: alpha |F| against the velocity, nothing at
+/// rest. F is the unbalanced force or moment, alpha [1] from 0 to below 1.
+
+#include <cmath>
+
+namespace dem2d {
+
+/// What is taken off the force, in its unit.
+inline double local_damping(double force, double velocity, double alpha) {
+  const double loss = alpha * std::fabs(force);
+  if (velocity > 0.0) return loss;
+  return velocity < 0.0 ? -loss : 0.0;
+}
+
+}  // namespace dem2d

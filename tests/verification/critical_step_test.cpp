@@ -1,0 +1,118 @@
+// Stable just below the critical step, unstable just above it. The leap-frog scheme is stable for omega dt < 2: at
+// omega dt = 2 (1 + x) a mode grows by about 1 + 2 sqrt(2 x) a step, and stays bounded at 2 (1 - x).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/random.hpp"
+#include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/pairs.hpp"
+#include "dem2d/step/step.hpp"
+#include "tests/unit/small_worlds.hpp"
+#include "tests/verification/joint_paths.hpp"
+
+namespace {
+
+using small_worlds::radius;
+
+class StabilityLimit : public verification::JointPaths {
+ protected:
+  /// Largest speed (spin counted at the rim) in `steps` steps over that at the start; stops at 1e9.
+  static double growth(dem2d::World world, double step, int steps) {
+    const auto largest = [&world] {
+      double speed = 0.0;
+      for (std::size_t i = 0; i < world.discs.x.size(); ++i) {
+        speed = std::fmax(speed, std::fmax(std::hypot(world.discs.velocity_x[i], world.discs.velocity_y[i]),
+                                           radius * std::fabs(world.discs.spin[i])));
+      }
+      return speed;
+    };
+    world.step = step;
+    const double before = largest();
+    double after = before;
+    for (int k = 0; k < steps && after < 1e9 * before; ++k) {
+      dem2d::advance(world);
+      after = std::fmax(after, largest());
+    }
+    return after / before;
+  }
+
+  /// 400 steps at 2 (1 - 0.001)/omega and at 2 (1 + 0.001)/omega, where a motion grows by 1.09^400 = 1e15.
+  static void expect_limit(const dem2d::World& world, double omega) {
+    EXPECT_LT(growth(world, 0.999 * 2.0 / omega, 400), 50.0);
+    EXPECT_GT(growth(world, 1.001 * 2.0 / omega, 400), 1e8);
+  }
+};
+
+TEST_P(StabilityLimit, OfAPairIsThatOfEachOfItsModes) {
+  // modes as in oscillator_test.cpp: 2 Kn/m, 6 Ks/m, 2 Kb/I with Kn = E*, Ks = E*/2, Kb/I = 2/3 E*/m
+  dem2d::World world = on_path(small_worlds::chain(2));
+  dem2d::prepare(world);
+  const double unit = std::sqrt(small_worlds::modulus / world.discs.mass[0]);
+  const double speed = 1e-14 * unit;  // motions of 1e-14 m stay small while they grow 1e9 times
+  dem2d::World stretched = world, sheared = world, bent = world;
+  stretched.discs.velocity_x = {-speed, speed};
+  sheared.discs.velocity_y = {-speed, speed};
+  sheared.discs.spin = {-2.0 * speed / radius, -2.0 * speed / radius};
+  bent.discs.spin = {-speed / radius, speed / radius};
+  {
+    SCOPED_TRACE("along the axis");
+    expect_limit(stretched, std::sqrt(2.0) * unit);
+  }
+  {
+    SCOPED_TRACE("shear");
+    expect_limit(sheared, std::sqrt(3.0) * unit);
+  }
+  {
+    SCOPED_TRACE("bending");
+    expect_limit(bent, std::sqrt(4.0 / 3.0) * unit);
+  }
+  EXPECT_LE(dem2d::critical_step(world), 0.8 * 2.0 / (std::sqrt(3.0) * unit));
+}
+
+TEST_P(StabilityLimit, OfABarIsThatOfItsShortestWave) {
+  // omega = 2 sqrt(Kn/m) sin(pi (n - 1)/(2 n)), see bar_wave_test.cpp
+  const int discs = 10;
+  dem2d::World world = on_path(small_worlds::chain(discs));
+  dem2d::prepare(world);
+  const double unit = std::sqrt(small_worlds::modulus / world.discs.mass[0]);
+  const double wave = std::numbers::pi * (discs - 1) / discs;
+  for (int i = 0; i < discs; ++i)
+    world.discs.velocity_x[static_cast<std::size_t>(i)] = 1e-14 * unit * std::cos(wave * (i + 0.5));
+  const double omega = 2.0 * unit * std::sin(0.5 * wave);
+  expect_limit(world, omega);
+  EXPECT_LE(dem2d::critical_step(world), 0.8 * 2.0 / omega);
+}
+
+TEST_P(StabilityLimit, OfALatticeLeavesItsMarginAndNotMuchMore) {
+  // critical_step is 0.8 of a bound that no mode can break: random motion stays bounded just below that bound. It is no
+  // more than a factor of 2 too careful: random motion explodes at 2.5 times the step.
+  for (const double stiffness_ratio : {1.0, 2.0, 4.0}) {
+    dem2d::World world = on_path(small_worlds::empty());
+    base::Random random(5);
+    for (int row = 0; row < 6; ++row) {
+      for (int column = 0; column < 6; ++column) {
+        dem2d::add_disc(world.discs, 2.0 * radius * (column + 0.5 * (row % 2)), std::sqrt(3.0) * radius * row, radius,
+                        small_worlds::density);
+        world.discs.velocity_x.back() = base::uniform(random, -1e-6, 1e-6);
+        world.discs.velocity_y.back() = base::uniform(random, -1e-6, 1e-6);
+        world.discs.spin.back() = base::uniform(random, -1e-6, 1e-6) / radius;
+      }
+    }
+    const dem2d::Pairs pairs = dem2d::pairs_within(world.discs, 1e-9);
+    dem2d::JointProperties properties = small_worlds::properties();
+    properties.stiffness_ratio = stiffness_ratio;
+    for (std::size_t k = 0; k < pairs.disc1.size(); ++k) {
+      dem2d::add_joint(world, pairs.disc1[k], pairs.disc2[k], properties);
+    }
+    dem2d::prepare(world);
+    const double step = dem2d::critical_step(world);
+    EXPECT_LT(growth(world, 1.249 * step, 1000), 20.0) << stiffness_ratio;
+    EXPECT_GT(growth(world, 2.5 * step, 60), 1e6) << stiffness_ratio;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Paths, StabilityLimit, testing::Bool(), verification::path_name);
+
+}  // namespace

@@ -1,0 +1,228 @@
+// The energy ledger: it closes, each entry is the number it should be, and looking changes nothing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "dem2d/cut/run_cut.hpp"
+#include "dem2d/step/energy.hpp"
+#include "dem2d/step/step.hpp"
+#include "tests/unit/small_worlds.hpp"
+#include "tests/verification/joint_paths.hpp"
+
+namespace {
+
+using small_worlds::modulus;
+using small_worlds::radius;
+
+void start(dem2d::World& world, double step_over_critical) {
+  world.measure_energy = true;
+  dem2d::prepare(world);
+  world.step = step_over_critical * dem2d::critical_step(world);
+}
+
+/// The same for a disc that does not touch its floor yet: a step in units of sqrt(m / kn).
+void start_on_floor(dem2d::World& world, double step_times_frequency) {
+  world.measure_energy = true;
+  dem2d::prepare(world);
+  world.step = step_times_frequency * std::sqrt(world.discs.mass[0] / (2.0 * modulus));
+}
+
+/// Advances and returns the ledger of the last instant.
+dem2d::Energies run(dem2d::World& world, int steps) {
+  dem2d::Energies last;
+  for (int step = 1; step <= steps; ++step) {
+    dem2d::find_forces(world);
+    if (step == steps) last = dem2d::read_energies(world);
+    dem2d::move(world);
+  }
+  return last;
+}
+
+double strain(const dem2d::Energies& e) {
+  return e.strain_joints + e.strain_contacts + e.strain_boundaries;
+}
+
+class EnergyOfAPair : public verification::JointPaths {};
+INSTANTIATE_TEST_SUITE_P(Both, EnergyOfAPair, testing::Bool(), verification::path_name);
+
+TEST_P(EnergyOfAPair, OscillationKeepsItsEnergyToRounding) {
+  // The leap-frog scheme keeps m v- v+ / 2 + k x^2 / 2 of a linear spring exactly; velocities before and after alone
+  // would swing by (omega dt)^2 / 4, here 20 %.
+  dem2d::World world = on_path(small_worlds::chain(2));
+  world.discs.velocity_x = {-0.5, 0.5};
+  start(world, 1.0);
+  const dem2d::Energies first = run(world, 1);
+  const double energy = first.kinetic + strain(first);
+  EXPECT_NEAR(energy, world.discs.mass[0] * 0.25, 1e-12 * energy);
+  for (int look = 0; look < 200; ++look) {
+    const dem2d::Energies now = run(world, 1);
+    ASSERT_NEAR(now.kinetic + strain(now), energy, 1e-11 * energy) << look;
+  }
+  EXPECT_GT(run(world, 3).strain_joints, 0.01 * energy);
+}
+
+TEST_P(EnergyOfAPair, APairThatBreaksClosesItsLedger) {
+  // Flying apart, turning against each other and shearing, with damping: elements break one after the other in both
+  // modes, the rest rubs, opens and closes. All that was there is the kinetic energy of the start.
+  dem2d::World world = on_path(small_worlds::chain(2, 2e6));
+  for (double& cohesion : world.joints.cohesion) cohesion = 2e6;
+  world.local_damping = 0.1;
+  world.discs.velocity_x = {-2.0, -2.2};
+  world.discs.velocity_y = {0.0, 3.0};
+  world.discs.spin = {-4000.0, 2000.0};
+  start(world, 0.1);
+  const dem2d::Energies first = run(world, 1);
+  double largest = 0.0;
+  dem2d::Energies last;
+  for (int look = 0; look < 400; ++look) {
+    last = run(world, 5);
+    largest = std::max(largest, std::fabs(dem2d::energy_residual(first, last)));
+  }
+  EXPECT_EQ(world.cracks.size(), 4u) << "every element must have broken";
+  EXPECT_GT(last.breaking, 0.005 * first.kinetic);
+  EXPECT_GT(last.friction, 0.005 * first.kinetic);
+  EXPECT_LT(largest, 1e-4 * first.kinetic);
+}
+
+TEST_P(EnergyOfAPair, WorkOfAStrikingBoundaryIsFoundAgain) {
+  // A boundary runs into the second disc of a resting pair, off its middle, so that the joint is bent, sheared and
+  // broken. The only input is the work of the boundary, which has friction and dashpots.
+  dem2d::World world = on_path(small_worlds::chain(2, 1e6));
+  for (double& cohesion : world.joints.cohesion) cohesion = 1.5e6;
+  world.local_damping = 0.1;
+  world.boundaries.push_back({.shape = dem2d::rectangle(2.2 * radius, 1.01 * radius, 4.0 * radius, 3.0 * radius),
+                              .velocity_y = -5.0,
+                              .modulus = modulus,
+                              .stiffness_ratio = 2.0,
+                              .friction = 0.4,
+                              .damping_ratio = 0.3,
+                              .shear_damping_ratio = 0.2});
+  start(world, 0.1);
+  const dem2d::Energies first = run(world, 1);
+  const dem2d::Energies last = run(world, 4000);
+  EXPECT_EQ(world.cracks.size(), 4u);
+  EXPECT_GT(last.boundary_work, 0.0);
+  EXPECT_GT(last.dashpots, 0.01 * last.boundary_work);
+  EXPECT_LT(std::fabs(dem2d::energy_residual_fraction(first, last)), 1e-4);
+}
+
+TEST_P(EnergyOfAPair, ABreakReleasesWhatTheStrengthSays) {
+  // Pulled apart slowly along its axis, every element of the joint holds sigma_c^2 / (2 kn) per area when it breaks.
+  const double strength = 1e6, kn = modulus / (2.0 * radius);
+  dem2d::World world = on_path(small_worlds::chain(2, strength));
+  world.discs.mass = {1e6, 1e6};  // heavy discs are moved, not stopped, by the joint: a steady pull
+  world.discs.velocity_x = {-0.5e-3, 0.5e-3};
+  world.measure_energy = true;
+  dem2d::prepare(world);
+  world.step = strength / kn / 1e-3 / 2000.5;  // breaks within step 2001
+  const dem2d::Energies last = run(world, 2010);
+  EXPECT_EQ(world.cracks.size(), 4u);
+  const double expected = strength * strength / (2.0 * kn) * 2.0 * radius;
+  EXPECT_NEAR(last.breaking, expected, 2.0 / 2000.0 * expected);  // the strength is passed somewhere within a step
+  EXPECT_EQ(last.strain_joints, 0.0);
+}
+
+TEST(Energy, FrictionIsForceTimesSlip) {
+  // One disc, pressed on a floor by a constant overlap and kept from turning, slides a known way.
+  dem2d::World world = small_worlds::disc_above_floor(-1e-6);
+  start(world, 0.1);
+  const double normal = 2.0 * modulus * 1e-6, limit = 0.5 * normal, ks = modulus, speed = 2.0;
+  const int steps = 500;
+  dem2d::Energies last;
+  for (int step = 0; step <= steps; ++step) {
+    world.discs.y[0] = radius - 1e-6;
+    world.discs.velocity_x[0] = speed;
+    world.discs.velocity_y[0] = 0.0;
+    world.discs.spin[0] = 0.0;
+    dem2d::find_forces(world);
+    if (step == steps) last = dem2d::read_energies(world);
+    dem2d::move(world);
+  }
+  const double way = speed * world.step * (steps + 1);  // the spring of the first instant counts from its step, too
+  // sliding begins within a step, whose mean force is then up to half that of one step's spring short of the limit:
+  // at most limit times 1/8 of a step's way
+  EXPECT_NEAR(last.friction, limit * (way - limit / ks), limit * speed * world.step / 8.0);
+  EXPECT_NEAR(last.strain_boundaries, normal * 1e-6 / 2.0 + limit * limit / (2.0 * ks), 1e-9 * normal * 1e-6);
+}
+
+TEST(Energy, DashpotsAndSwitchingTakeWhatACollisionLoses) {
+  for (const double shear_speed : {0.0, 0.4}) {
+    dem2d::World world = small_worlds::disc_above_floor(1e-7);
+    world.boundaries[0].damping_ratio = 0.3;
+    world.boundaries[0].shear_damping_ratio = 0.2;
+    world.discs.velocity_y[0] = -1.0;
+    world.discs.velocity_x[0] = shear_speed;
+    start_on_floor(world, 0.2);
+    const dem2d::Energies first = run(world, 1), last = run(world, 200);
+    ASSERT_GT(world.discs.velocity_y[0], 0.1);
+    const double lost = first.kinetic - last.kinetic;
+    // with shear, the lever of its force changes with the overlap within a step: of second order, 2e-6 here
+    EXPECT_NEAR(last.dashpots + last.switching + last.friction, lost, (shear_speed > 0.0 ? 1e-5 : 1e-9) * lost);
+    EXPECT_GT(last.dashpots, 0.9 * lost - last.friction);
+    EXPECT_GT(last.switching, 0.0) << "it closes faster than it opens";
+    EXPECT_LT(last.switching, 0.01 * lost);
+  }
+}
+
+TEST(Energy, LocalDampingTakesItsShareOfForceTimesWay) {
+  // A disc is thrown on a floor without dashpots and friction and comes back; damping takes alpha |F| over every bit of
+  // way, in and out. In: (1 + alpha) U = E, so the spring holds U = E / (1 + alpha). Out: the disc keeps (1 - alpha) U.
+  const double alpha = 0.25;
+  dem2d::World world = small_worlds::disc_above_floor(0.0);
+  world.boundaries[0].friction = 0.0;
+  world.local_damping = alpha;
+  world.discs.velocity_y[0] = -1.0;
+  start_on_floor(world, 0.02);
+  const double kinetic = 0.5 * world.discs.mass[0];
+  const dem2d::Energies last = run(world, 400);
+  ASSERT_GT(world.discs.velocity_y[0], 0.0);
+  const double held = kinetic / (1.0 + alpha);
+  EXPECT_NEAR(last.local_damping, 2.0 * alpha * held, 1e-3 * kinetic);
+  EXPECT_NEAR(last.kinetic, (1.0 - alpha) * held, 1e-3 * kinetic);
+  EXPECT_NEAR(last.kinetic + last.local_damping + last.switching, kinetic, 1e-12 * kinetic);
+}
+
+TEST(Energy, ALostDiscTakesItsEnergyAlong) {
+  dem2d::World world = small_worlds::chain(3);
+  world.domain = {-1.0, -1.0, 1.0, 5.0 * radius};
+  world.discs.velocity_y = {0.0, 0.0, 0.0};
+  dem2d::add_disc(world.discs, 0.0, 4.5 * radius, radius, 2500.0);
+  world.discs.velocity_y[3] = 10.0;
+  world.discs.spin[3] = 500.0;
+  start(world, 1.0);
+  const dem2d::Energies first = run(world, 1);
+  const dem2d::Energies last = run(world, 2000);
+  ASSERT_EQ(world.removed_discs, 1);
+  const double mass = world.discs.mass[0];
+  const double own = 0.5 * mass * 100.0 + 0.5 * (0.5 * mass * radius * radius) * 500.0 * 500.0;
+  EXPECT_NEAR(last.removed, own, 1e-12 * own);
+  EXPECT_NEAR(dem2d::energy_residual(first, last), 0.0, 1e-12 * own);
+}
+
+TEST(Energy, ACutOfTwentyMillimetresClosesItsLedgerToATenthOfAPercent) {
+  dem2d::CutCase cut = dem2d::read_cut_case(std::string(BITROCK_SOURCE_DIR) + "/campaigns/cuts/example.toml");
+  cut.cutter_speed = 2.0;
+  cut.cut_length = 20e-3;
+  cut.bed_length = 36e-3;
+  cut.bed_height = 14e-3;
+  const dem2d::Specimen bed = dem2d::make_specimen(cut.rock, cut.bed_length, cut.bed_height, 2, 1);
+  const dem2d::CutRun measured = dem2d::run_cut(cut, bed);
+  const dem2d::Energies& e = measured.energies.back();
+  EXPECT_LT(std::fabs(measured.energy_residual_fraction), 1e-3);
+  EXPECT_LT(std::fabs(e.switching), 5e-3 * e.boundary_work) << "the step is short enough for the contacts";
+  EXPECT_GT(e.friction, 0.1 * e.boundary_work);
+  EXPECT_GT(e.breaking, 0.02 * e.boundary_work);
+  // the same force history, and the same ledger, however one looks at it
+  const dem2d::CutRun blind = dem2d::run_cut(cut, bed, {.measure_energy = false}),
+                      threads = dem2d::run_cut(cut, bed, {.threads = 2});
+  EXPECT_EQ(blind.force_x, measured.force_x);
+  EXPECT_EQ(blind.force_y, measured.force_y);
+  EXPECT_TRUE(blind.energies.empty());
+  EXPECT_EQ(threads.energies.back().friction, e.friction);
+  EXPECT_EQ(threads.energies.back().local_damping, e.local_damping);
+  EXPECT_EQ(threads.energies.back().breaking, e.breaking);
+  EXPECT_EQ(threads.energy_residual_fraction, measured.energy_residual_fraction);
+}
+
+}  // namespace
