@@ -67,7 +67,7 @@ class RockStore {
         dem2d::Specimen kept = dem2d::read_specimen(file);
         const std::string why =
             dem2d::mismatch(kept, common.rock, common.bed_length, common.bed_height, static_cast<std::uint64_t>(seed));
-        if (why.empty()) return kept;
+        if (why.empty() && !kept.packed_elsewhere()) return kept;
       } catch (const base::InputError&) {
         // a damaged rock is simply made again below
       }

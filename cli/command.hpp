@@ -62,8 +62,10 @@ CLI::Validator not_empty();
 int cores();
 
 void add_specimen(CLI::App& app);
+void add_calibrate(CLI::App& app);
 void add_cut(CLI::App& app);
 void add_campaign(CLI::App& app);
+void add_lab(CLI::App& app);
 void add_peaks(CLI::App& app);
 void add_train(CLI::App& app);
 void add_predict(CLI::App& app);

@@ -53,8 +53,10 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("bitrock ") + base::version + " (" + base::git_commit + ")");
   app.require_subcommand(1);
   cli::add_specimen(app);
+  cli::add_calibrate(app);
   cli::add_cut(app);
   cli::add_campaign(app);
+  cli::add_lab(app);
   cli::add_peaks(app);
   cli::add_train(app);
   cli::add_predict(app);

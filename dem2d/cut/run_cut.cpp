@@ -113,6 +113,7 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   world.step = schedule.step;
   const double interval = schedule.step * schedule.steps_per_sample;
   CutRun run;
+  run.bed_origin = bed.origin;
   run.discs = world.discs.count();
   run.joints = world.joints.count();
   run.step = schedule.step;

@@ -8,6 +8,7 @@
 /// starts stress-free. No gravity: what is broken off drifts away, as if washed by the mud [BitRock2026, sec. 3.1].
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -36,6 +37,7 @@ struct CutRun {
   std::vector<Crack> cracks;
   std::vector<Frame> frames;  ///< as requested, and always the last instant
 
+  std::string bed_origin;     ///< how the discs of the bed were packed (Specimen::origin)
   int discs = 0, joints = 0;  ///< at the start
   double step = 0.0;          ///< [s]
   long long steps = 0;

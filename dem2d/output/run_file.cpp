@@ -90,6 +90,7 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
   file.attribute("config_toml", resolved_toml(cut));
   file.attribute("config_hash", cut_hash(cut, seed));
   file.attribute("seed", static_cast<long long>(seed));
+  file.attribute("bed_origin", run.bed_origin);
   file.attribute("discs", static_cast<long long>(run.discs));
   file.attribute("joints", static_cast<long long>(run.joints));
   file.attribute("step_s", run.step);
@@ -125,6 +126,7 @@ RunFile read_run(const std::filesystem::path& path) {
   };
   RunFile result;
   result.status = file.text_attribute("status");
+  result.run.bed_origin = file.text_attribute("bed_origin");
   if (result.status != "complete") refuse("the run is not complete (status " + result.status + ")");
   result.config_toml = file.text_attribute("config_toml");
   result.config_hash = file.text_attribute("config_hash");
@@ -190,7 +192,7 @@ std::optional<RunFile> read_complete_run(const std::filesystem::path& path, cons
   if (!std::filesystem::exists(path)) return std::nullopt;
   try {
     RunFile file = read_run(path);
-    if (file.config_hash == hash) return file;
+    if (file.config_hash == hash && file.run.bed_origin == origin_genesis) return file;
   } catch (const base::InputError&) {
     // damaged or foreign: to be made again
   }

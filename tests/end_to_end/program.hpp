@@ -2,12 +2,14 @@
 /// Runs the built `bitrock` program as a user would: arguments in, exit status and printed text out.
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/files.hpp"
 #include "tests/scratch.hpp"
@@ -28,6 +30,17 @@ inline Outcome run(const std::string& arguments) {
   const int status = ::pclose(pipe);
   if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
   return outcome;
+}
+
+/// Starts the program without waiting for it.
+inline pid_t start(const std::vector<std::string>& arguments) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  std::vector<char*> argv{const_cast<char*>(BITROCK_PROGRAM)};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  ::execv(BITROCK_PROGRAM, argv.data());
+  ::_exit(127);
 }
 
 inline nlohmann::json json(const std::filesystem::path& path) {

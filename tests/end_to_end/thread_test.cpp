@@ -108,17 +108,6 @@ TEST(Thread, ARockOfAnotherSeedIsNotUsed) {
   EXPECT_NE(features.column("x_amax_N_per_m")[0], features.column("x_amax_N_per_m")[1]);
 }
 
-/// Starts the program without waiting for it.
-pid_t start(const std::vector<std::string>& arguments) {
-  const pid_t child = ::fork();
-  if (child != 0) return child;
-  std::vector<char*> argv{const_cast<char*>(BITROCK_PROGRAM)};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-  ::execv(BITROCK_PROGRAM, argv.data());
-  ::_exit(127);
-}
-
 int finished_runs(const fs::path& folder) {
   int count = 0;
   std::error_code none;
@@ -132,7 +121,7 @@ TEST_P(Stopped, ACampaignGoesOnWhereItWas) {
   const scratch::Folder dir("stopped_" + std::to_string(GetParam()));
   base::write_whole(dir / "study.toml", program::small_study());
   const fs::path study = dir / "study.toml", camp = dir / "camp";
-  const pid_t child = start({"campaign", "run", study.string(), "--dir", camp.string(), "--jobs", "1", "--quiet"});
+  const pid_t child = program::start({"campaign", "run", study.string(), "--dir", camp.string(), "--jobs", "1", "--quiet"});
   for (int wait = 0; wait < 3000 && finished_runs(camp / "runs") == 0; ++wait)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ::kill(child, GetParam());

@@ -1,0 +1,45 @@
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "base/stop.hpp"
+
+namespace base {
+
+void for_each_index(int count, int jobs, const std::function<void(int)>& function) {
+  std::atomic<int> next{0};
+  std::atomic<bool> broken{false};
+  std::mutex mutex;
+  std::exception_ptr first;
+  int index_of_first = count;
+
+  const auto work = [&] {
+    while (!broken) {
+      const int mine = next++;
+      if (mine >= count) return;
+      try {
+        throw_if_stopped();
+        function(mine);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        broken = true;
+        if (mine < index_of_first) {
+          index_of_first = mine;
+          first = std::current_exception();
+        }
+      }
+    }
+  };
+  std::vector<std::thread> helpers;
+  for (int helper = 1; helper < std::min(jobs, count); ++helper) helpers.emplace_back(work);
+  work();
+  for (std::thread& helper : helpers) helper.join();
+  if (first) std::rethrow_exception(first);
+}
+
+}  // namespace base

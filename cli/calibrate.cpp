@@ -1,0 +1,284 @@
+// bitrock calibrate: micro-parameters of a synthetic rock from its laboratory numbers.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/units.hpp"
+#include "cli/command.hpp"
+#include "dem2d/calibrate/calibrated_rock.hpp"
+#include "dem2d/calibrate/laboratory.hpp"
+#include "dem2d/lab/loading_rate.hpp"
+#include "dem2d/specimen/bonded_world.hpp"
+#include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/step.hpp"
+
+namespace cli {
+
+namespace {
+
+using dem2d::Property;
+
+struct Options {
+  CommonOptions common;
+  std::string target_file, output, journal_file, validate_seeds;
+  bool friction = false;
+};
+
+// For the estimates of --check only.
+constexpr double typical_ns_per_disc_step = 85.0;  // measured on one core of a 2.6 GHz Xeon
+constexpr double load_after_expected = 1.3;        // a test goes on until the stress has fallen again
+constexpr int typical_coarse_evaluations = 5, typical_fine_evaluations = 3;
+
+/// "first:last", both included; all of them new to the calibration.
+std::vector<int> fresh_seeds(const Options& options, const dem2d::CalibrationTarget& target) {
+  if (options.validate_seeds.empty()) return {};
+  int first = 0, last = 0, used = 0;
+  const std::string& text = options.validate_seeds;
+  const bool good = std::sscanf(text.c_str(), "%9d:%9d%n", &first, &last, &used) == 2 &&
+                    used == static_cast<int>(text.size()) && first >= 0 && last >= first && last - first < 1000;
+  if (!good) {
+    throw base::InputError(fmt::format("--validate-seeds {} (write first:last, e.g. 101:110, 1000 at most)", text));
+  }
+  const int begin = target.settings.first_seed, end = begin + target.settings.seeds;
+  if (first < end && last >= begin) {
+    throw base::InputError(fmt::format("--validate-seeds {} (seeds {} to {} are those of the calibration; take others)",
+                                       text, begin, end - 1));
+  }
+  return dem2d::seeds_from(first, last - first + 1);
+}
+
+nlohmann::json numbers_json(const dem2d::CalibrationTarget& target, const dem2d::Evaluation& evaluation) {
+  nlohmann::json mean, deviation, error;
+  for (const Property property : dem2d::all_properties) {
+    const char* key = dem2d::words_of(property).si_key;
+    const base::Summary& measured = evaluation.measured[dem2d::index_of(property)];
+    const double wanted = target.wanted[dem2d::index_of(property)];
+    mean[key] = measured.count > 0 ? nlohmann::json(measured.mean) : nullptr;
+    deviation[key] = measured.count > 0 ? nlohmann::json(measured.standard_deviation) : nullptr;
+    error[key] =
+        measured.count > 0 && wanted > 0.0 ? nlohmann::json(dem2d::error_of(property, measured.mean, wanted)) : nullptr;
+  }
+  return {{"mean", mean}, {"sd", deviation}, {"error", error}};
+}
+
+nlohmann::json micro_json(const dem2d::Micro& micro) {
+  return {{"effective_modulus_Pa", micro[0]},
+          {"stiffness_ratio", micro[1]},
+          {"tensile_strength_Pa", micro[2]},
+          {"cohesion_Pa", micro[3]},
+          {"friction_coefficient", micro[4]}};
+}
+
+std::string micro_text(const dem2d::Micro& micro) {
+  return fmt::format("E* {:.4g} GPa, kappa {:.4g}, tensile {:.4g} MPa, cohesion {:.4g} MPa, friction {:.3g}",
+                     base::in_units(micro[0], base::GPa), micro[1], base::in_units(micro[2], base::MPa),
+                     base::in_units(micro[3], base::MPa), micro[4]);
+}
+
+void print_evaluation(const Options& options, const dem2d::CalibrationTarget& target,
+                      const dem2d::Evaluation& evaluation, int number) {
+  say(options.common, "evaluation {}: {}\n", number, micro_text(evaluation.micro));
+  std::string text;
+  int specimens = 0;
+  for (const Property property : dem2d::all_properties) {
+    const base::Summary& measured = evaluation.measured[dem2d::index_of(property)];
+    if (!dem2d::is_wanted(target, property) || measured.count == 0) continue;
+    const dem2d::PropertyWords& words = dem2d::words_of(property);
+    const double error = dem2d::error_of(property, measured.mean, target.wanted[dem2d::index_of(property)]);
+    text += fmt::format("{}{} {:.4g}{}{} ({})", text.empty() ? "" : ", ", words.name, measured.mean / words.si_per_unit,
+                        *words.unit == '\0' ? "" : " ", words.unit,
+                        words.relative_error ? fmt::format("{:+.1f} %", 100.0 * error) : fmt::format("{:+.3f}", error));
+    specimens = measured.count;
+  }
+  if (specimens == 0) text = "no result";
+  say(options.common, "    {} specimens: {}\n", specimens, text);
+  std::fflush(stdout);
+}
+
+void print_plan(const Options& options, const dem2d::CalibrationTarget& target) {
+  const dem2d::CalibrationSettings& settings = target.settings;
+  const dem2d::LabSettings lab = dem2d::lab_settings_of(target);
+  const dem2d::Specimen specimen =
+      dem2d::make_specimen(target.start, lab.width, lab.height, static_cast<std::uint64_t>(settings.first_seed), 1);
+  dem2d::World world = dem2d::bonded_world(specimen, 1);
+  world.domain = {0.0, 0.0, specimen.width, specimen.height};
+  dem2d::prepare(world);
+  const double step = dem2d::critical_step(world), discs = static_cast<double>(specimen.x.size());
+  double seconds_per_specimen = 0.0;
+  for (const dem2d::LabTest test : dem2d::tests_of(target)) {
+    const double strain = dem2d::expected_strength(test, target.start) / target.start.joint_modulus;
+    const double duration = load_after_expected * strain / dem2d::default_strain_rate(test, target.start, lab);
+    seconds_per_specimen += duration / step * discs * typical_ns_per_disc_step * 1e-9;
+  }
+  const int specimens =
+      typical_coarse_evaluations * settings.scouting_seeds + typical_fine_evaluations * settings.seeds;
+  const double minutes = specimens * seconds_per_specimen / options.common.threads / 60.0;
+  say(options.common,
+      "{}: cores of {:g} x {:g} mm, {} discs; seeds {} to {}, {} of them while scouting; about {:.2g} s of one core a "
+      "specimen; usually {} + {} evaluations (at most {}), about {:.2g} minutes on {} cores\n",
+      target.name, base::in_units(lab.width, base::mm), base::in_units(lab.height, base::mm), specimen.x.size(),
+      settings.first_seed, settings.first_seed + settings.seeds - 1, settings.scouting_seeds, seconds_per_specimen,
+      typical_coarse_evaluations, typical_fine_evaluations, settings.most_evaluations, minutes, options.common.threads);
+  write_json(options.common, {{"discs", specimen.x.size()},
+                              {"seeds", settings.seeds},
+                              {"scouting_seeds", settings.scouting_seeds},
+                              {"most_evaluations", settings.most_evaluations},
+                              {"core_seconds_per_specimen", seconds_per_specimen},
+                              {"expected_minutes", minutes}});
+}
+
+/// What the user typed, as far as it decides the result.
+std::string command_of(const Options& options) {
+  std::string command = fmt::format("bitrock calibrate {} -o {}", options.target_file, options.output);
+  if (options.friction) command += " --friction";
+  if (!options.validate_seeds.empty()) command += " --validate-seeds " + options.validate_seeds;
+  return command;
+}
+
+void print_fresh(const Options& options, const dem2d::CalibrationTarget& target, const dem2d::FreshSpecimens& fresh) {
+  say(options.common, "on fresh specimens, seeds {} to {}:\n", fresh.seeds.front(), fresh.seeds.back());
+  for (const std::string& line : dem2d::lines_about(target, fresh.result)) say(options.common, "    {}\n", line);
+}
+
+bool fresh_within(const dem2d::CalibrationTarget& target, const dem2d::FreshSpecimens& fresh) {
+  bool within = true;
+  for (const Property property : dem2d::all_properties) {
+    if (!dem2d::is_wanted(target, property)) continue;
+    const double mean = fresh.result.measured[dem2d::index_of(property)].mean;
+    const double error = dem2d::error_of(property, mean, target.wanted[dem2d::index_of(property)]);
+    within = within && std::abs(error) <= dem2d::fresh_tolerance(property);
+  }
+  return within;
+}
+
+nlohmann::json result_json(const dem2d::CalibrationTarget& target, const dem2d::Calibration& calibration,
+                           const std::optional<dem2d::FreshSpecimens>& fresh) {
+  nlohmann::json wanted, evaluations = nlohmann::json::array();
+  for (const Property property : dem2d::all_properties) {
+    const double value = target.wanted[dem2d::index_of(property)];
+    wanted[dem2d::words_of(property).si_key] = value > 0.0 ? nlohmann::json(value) : nullptr;
+  }
+  const nlohmann::json numbers = numbers_json(target, calibration.best);
+  nlohmann::json result{{"target", wanted},
+                        {"reached", numbers["mean"]},
+                        {"sd", numbers["sd"]},
+                        {"error", numbers["error"]},
+                        {"evaluations", calibration.evaluations.size()},
+                        {"micro", micro_json(calibration.best.micro)},
+                        {"status", dem2d::name_of(calibration.end)},
+                        {"reason", dem2d::reason_of(target, calibration)},
+                        {"limits", calibration.limits},
+                        {"failures", calibration.failures}};
+  for (const dem2d::Evaluation& evaluation : calibration.evaluations) {
+    evaluations.push_back(
+        {{"micro", micro_json(evaluation.micro)}, {"mean", numbers_json(target, evaluation)["mean"]}});
+  }
+  result["history"] = evaluations;
+  if (fresh) {
+    const nlohmann::json values = numbers_json(target, fresh->result);
+    result["fresh"] = {{"seeds", fresh->seeds},
+                       {"reached", values["mean"]},
+                       {"sd", values["sd"]},
+                       {"error", values["error"]},
+                       {"within", fresh_within(target, *fresh)}};
+  }
+  return result;
+}
+
+/// The tests of a calibration, each evaluation with a progress line of its own.
+dem2d::Evaluation evaluate(const Options& options, dem2d::Laboratory& laboratory, const dem2d::Micro& micro,
+                           const std::vector<int>& seeds) {
+  Progress progress(options.common, "testing", "tests");
+  return laboratory.evaluate(micro, seeds, progress.callback());
+}
+
+void finish(const Options& options, const dem2d::CalibrationTarget& target, const dem2d::Calibration& calibration,
+            const std::optional<dem2d::FreshSpecimens>& fresh) {
+  base::write_whole(options.output, dem2d::calibrated_rock_toml(target, calibration, command_of(options), fresh));
+}
+
+void run_calibration(const Options& options, const dem2d::CalibrationTarget& target, const std::vector<int>& fresh_list,
+                     dem2d::Laboratory& laboratory) {
+  const auto started = std::chrono::steady_clock::now();
+  const int first = target.settings.first_seed;
+  const dem2d::Calibration calibration = dem2d::calibrate(
+      target, {.friction = options.friction},
+      [&](const dem2d::Micro& micro, int seeds) {
+        return evaluate(options, laboratory, micro, dem2d::seeds_from(first, seeds));
+      },
+      [&](const dem2d::Evaluation& evaluation, int number) { print_evaluation(options, target, evaluation, number); });
+  finish(options, target, calibration, {});
+  std::optional<dem2d::FreshSpecimens> fresh;
+  if (!fresh_list.empty()) {
+    fresh = {.seeds = fresh_list, .result = evaluate(options, laboratory, calibration.best.micro, fresh_list)};
+    finish(options, target, calibration, fresh);
+  }
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  nlohmann::json result = result_json(target, calibration, fresh);
+  result["wall_s"] = wall;
+  result["core_seconds"] = laboratory.count().core_seconds;
+  result["tests"] = laboratory.count().tests;
+  result["tests_reused"] = laboratory.count().reused;
+  write_json(options.common, result);
+
+  say(options.common, "{} after {} evaluations, {} tests ({} more from the journal), {}\n",
+      dem2d::name_of(calibration.end), calibration.evaluations.size(), laboratory.count().tests,
+      laboratory.count().reused, base::readable_duration(wall));
+  for (const std::string& line : dem2d::lines_about(target, calibration.best)) say(options.common, "    {}\n", line);
+  if (fresh) print_fresh(options, target, *fresh);
+  say(options.common, "-> {}\n", options.output);
+  if (calibration.end == dem2d::SearchEnd::reached) return;
+  std::string nearest;
+  for (const std::string& line : dem2d::lines_about(target, calibration.best)) nearest += "\n  " + line;
+  throw base::SimulationError(fmt::format("the target was not reached: {}; the nearest is kept in {}:{}",
+                                          dem2d::reason_of(target, calibration), options.output, nearest));
+}
+
+void run(const Options& options) {
+  const dem2d::CalibrationTarget target = dem2d::read_target(options.target_file);
+  const std::vector<int> fresh_list = fresh_seeds(options, target);
+  if (options.common.check) {
+    require_outputs(options.common, {options.target_file, target.rock_file}, {});
+    return print_plan(options, target);
+  }
+  const std::string journal_file =
+      options.journal_file.empty() ? options.output + ".journal.csv" : options.journal_file;
+  require_outputs(options.common, {options.target_file, target.rock_file}, {options.output, journal_file});
+  dem2d::Journal journal(journal_file, dem2d::journal_inputs(target));
+  dem2d::Laboratory laboratory(target, journal, options.common.threads);
+  try {
+    run_calibration(options, target, fresh_list, laboratory);
+  } catch (const base::Interrupted&) {
+    throw base::Interrupted(fmt::format(
+        "stopped by the user: all finished tests are kept in {}; the same command goes on from there", journal_file));
+  }
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("calibrate", "find the micro-parameters of a rock from its laboratory numbers");
+  command->add_option("target", options->target_file, "target file, e.g. campaigns/rocks/targets/article.toml")
+      ->required();
+  command->add_option("-o,--output", options->output, "rock file to write (.toml)")->default_val("rock.toml");
+  command->add_option("--journal", options->journal_file, "tests already made, to go on from [output.journal.csv]")
+      ->check(not_empty());
+  command->add_flag("--friction", options->friction,
+                    "also change the friction of broken elements, when cohesion alone cannot give UCS");
+  command->add_option("--validate-seeds", options->validate_seeds,
+                      "then test the result on these fresh specimens: first:last, e.g. 101:110");
+  add_common(*command, options->common);
+  options->common.threads = cores();
+  command->add_option("--threads", options->common.threads, "tests side by side (the result does not depend on it)")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_flag("--check", options->common.check, "read the target, say what it will cost, and stop");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace cli

@@ -1,0 +1,69 @@
+#include "dem2d/calibrate/journal.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/csv.hpp"
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/text.hpp"
+
+namespace dem2d {
+
+namespace {
+
+const std::vector<std::string> column_names{
+    "inputs",      "test",     "seed",           "effective_modulus_Pa", "stiffness_ratio", "tensile_strength_Pa",
+    "cohesion_Pa", "friction", "peak_stress_Pa", "youngs_modulus_Pa",    "poissons_ratio",  "wall_s"};
+constexpr std::size_t micro_begin = 3, results_begin = micro_begin + micro_count;
+
+}  // namespace
+
+Journal::Journal(std::filesystem::path path, const std::string& inputs)
+    : path_(std::move(path)), inputs_(static_cast<double>(base::fingerprint(inputs) >> 12)) {
+  if (!std::filesystem::exists(path_)) return;
+  const base::CsvTable table = base::read_csv(path_);
+  if (table.names != column_names) {
+    throw base::InputError(
+        fmt::format("{}: not a journal of a calibration (choose another file with --journal)", path_.string()));
+  }
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto cell = [&](std::size_t column) { return table.columns[column][i]; };
+    Row row{.inputs = cell(0), .record = {.test = static_cast<LabTest>(cell(1)), .seed = static_cast<int>(cell(2))}};
+    for (std::size_t j = 0; j < row.record.micro.size(); ++j) row.record.micro[j] = cell(micro_begin + j);
+    row.record.peak_stress = cell(results_begin);
+    row.record.youngs_modulus = cell(results_begin + 1);
+    row.record.poissons_ratio = cell(results_begin + 2);
+    row.record.wall_time = cell(results_begin + 3);
+    rows_.push_back(row);
+  }
+}
+
+std::optional<TestRecord> Journal::find(LabTest test, int seed, const Micro& micro) const {
+  const std::lock_guard lock(mutex_);
+  const auto same = [&](const Row& row) {
+    return row.inputs == inputs_ && row.record.test == test && row.record.seed == seed && row.record.micro == micro;
+  };
+  const auto found = std::find_if(rows_.begin(), rows_.end(), same);
+  return found == rows_.end() ? std::nullopt : std::optional(found->record);
+}
+
+void Journal::add(const TestRecord& record) {
+  const std::lock_guard lock(mutex_);
+  rows_.push_back({.inputs = inputs_, .record = record});
+  std::vector<std::vector<double>> columns(column_names.size());
+  for (const Row& row : rows_) {
+    columns[0].push_back(row.inputs);
+    columns[1].push_back(static_cast<double>(row.record.test));
+    columns[2].push_back(row.record.seed);
+    for (std::size_t j = 0; j < row.record.micro.size(); ++j) columns[micro_begin + j].push_back(row.record.micro[j]);
+    columns[results_begin].push_back(row.record.peak_stress);
+    columns[results_begin + 1].push_back(row.record.youngs_modulus);
+    columns[results_begin + 2].push_back(row.record.poissons_ratio);
+    columns[results_begin + 3].push_back(row.record.wall_time);
+  }
+  base::write_whole(path_, base::csv_text(column_names, columns));
+}
+
+}  // namespace dem2d

@@ -1,0 +1,53 @@
+#pragma once
+/// What calibration has already tested, in a table beside its result: one row a laboratory test. The same command looks
+/// there first, so a calibration that was stopped goes on where it stood, and a second one with other tolerances or
+/// targets reuses what it can. Rows of other inputs (rock, core size, engine) are kept and passed over.
+
+#include <cstdint>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dem2d/calibrate/properties.hpp"
+#include "dem2d/lab/lab_test.hpp"
+
+namespace dem2d {
+
+struct TestRecord {
+  LabTest test = LabTest::ucs;
+  int seed = 0;
+  Micro micro{};
+  double peak_stress = 0.0;     ///< [Pa]
+  double youngs_modulus = 0.0;  ///< [Pa]
+  double poissons_ratio = 0.0;  ///< [1]
+  double wall_time = 0.0;       ///< [s]
+};
+
+class Journal {
+ public:
+  /// Reads the table when it is there; `inputs` is a text on which all that the tests depend is written, but for
+  /// micro-parameters and seed. Throws `base::InputError` when a file of that name is no journal.
+  Journal(std::filesystem::path path, const std::string& inputs);
+
+  /// The record of exactly these micro-parameters and seed. Safe to call from several threads.
+  std::optional<TestRecord> find(LabTest test, int seed, const Micro& micro) const;
+
+  /// Keeps a record: when this returns it is on the disk. Safe to call from several threads.
+  void add(const TestRecord& record);
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  struct Row {
+    double inputs;  ///< the first 52 bits of the fingerprint, as a whole number
+    TestRecord record;
+  };
+  std::filesystem::path path_;
+  double inputs_;
+  std::vector<Row> rows_;
+  mutable std::mutex mutex_;
+};
+
+}  // namespace dem2d

@@ -1,0 +1,78 @@
+#include "dem2d/calibrate/properties.hpp"
+
+#include <cmath>
+
+#include "base/units.hpp"
+
+namespace dem2d {
+
+namespace {
+
+constexpr PerProperty<PropertyWords> property_words{{
+    {"ucs_MPa", "ucs_Pa", "UCS", "MPa", base::MPa, true},
+    {"tensile_strength_MPa", "tensile_strength_Pa", "tensile strength", "MPa", base::MPa, true},
+    {"youngs_modulus_GPa", "youngs_modulus_Pa", "E", "GPa", base::GPa, true},
+    {"poissons_ratio", "poissons_ratio", "nu", "", 1.0, false},
+}};
+
+constexpr std::array<MicroWords, micro_count> micro_words{{
+    {"effective_modulus_GPa", "effective modulus", "GPa", base::GPa},
+    {"stiffness_ratio", "stiffness ratio", "", 1.0},
+    {"tensile_strength_MPa", "tensile strength", "MPa", base::MPa},
+    {"cohesion_MPa", "cohesion", "MPa", base::MPa},
+    {"friction_coefficient", "friction coefficient", "", 1.0},
+}};
+
+/// `companion` in the proportion in which its parameter changed; untouched when it did not.
+double carried(MicroParameter parameter, double companion, double before, double after) {
+  return after == before ? companion : rounded(parameter, companion * (after / before));
+}
+
+}  // namespace
+
+const PropertyWords& words_of(Property property) {
+  return property_words[index_of(property)];
+}
+
+const MicroWords& words_of(MicroParameter parameter) {
+  return micro_words[index_of(parameter)];
+}
+
+Micro micro_of(const Rock& rock) {
+  return {rock.joint_modulus, rock.joint_stiffness_ratio, rock.tensile_strength, rock.cohesion, rock.friction};
+}
+
+Rock with_micro(const Rock& rock, const Micro& micro) {
+  using enum MicroParameter;
+  const Micro before = micro_of(rock);
+  const auto go_along = [&](MicroParameter parameter, double& companion) {
+    const std::size_t i = index_of(parameter);
+    companion = carried(parameter, companion, before[i], micro[i]);
+  };
+  Rock changed = rock;
+  changed.joint_modulus = micro[index_of(effective_modulus)];
+  go_along(effective_modulus, changed.contact_modulus);
+  changed.joint_stiffness_ratio = micro[index_of(stiffness_ratio)];
+  go_along(stiffness_ratio, changed.contact_stiffness_ratio);
+  changed.tensile_strength = micro[index_of(tensile_strength)];
+  go_along(tensile_strength, changed.tensile_strength_deviation);
+  changed.cohesion = micro[index_of(cohesion)];
+  go_along(cohesion, changed.cohesion_deviation);
+  go_along(cohesion, changed.residual_cohesion);
+  changed.friction = micro[index_of(friction)];
+  go_along(friction, changed.contact_friction);
+  return changed;
+}
+
+double rounded(MicroParameter parameter, double value) {
+  if (value == 0.0) return value;
+  const double unit = words_of(parameter).si_per_unit;
+  const double decade = std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(value / unit))));
+  return std::round(value / unit * decade) / decade * unit;
+}
+
+double error_of(Property property, double value, double wanted) {
+  return words_of(property).relative_error ? value / wanted - 1.0 : value - wanted;
+}
+
+}  // namespace dem2d

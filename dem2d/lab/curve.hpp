@@ -1,0 +1,21 @@
+#pragma once
+/// What the stress-strain curve of a test says: strength, secant moduli, crack initiation (equations in lab_test.hpp).
+
+#include <span>
+
+#include "dem2d/lab/lab_test.hpp"
+
+namespace dem2d {
+
+struct CurveResult {
+  double peak_stress, strain_at_peak;  ///< [Pa], [1]
+  double youngs_modulus;               ///< secant from 0 to half the peak [Pa]
+  double poissons_ratio;               ///< over the same part [1]
+  double crack_initiation_stress;      ///< [Pa]; the peak when nothing broke before it
+  int cracks_at_peak;
+};
+
+/// `curve` holds at least one point with positive stress.
+CurveResult read_curve(std::span<const LabSample> curve);
+
+}  // namespace dem2d

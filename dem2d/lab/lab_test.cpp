@@ -1,0 +1,208 @@
+#include "dem2d/lab/lab_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "base/stop.hpp"
+#include "dem2d/lab/curve.hpp"
+#include "dem2d/lab/load_frame.hpp"
+#include "dem2d/lab/loading_rate.hpp"
+#include "dem2d/step/step.hpp"
+
+namespace dem2d {
+
+namespace {
+
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+// The fall of the stress that ends a test, as a share of the peak (lab_test.hpp).
+constexpr double stop_fraction_core = 0.8, stop_fraction_brazilian = 0.95;
+
+// Points of the curve until the strength that is expected: enough to draw it, few enough to store it.
+constexpr double points_to_expected_strength = 500.0;
+
+// A test without a peak is given up at this many times the expected strain.
+constexpr double strains_given_up = 5.0;
+constexpr double most_strain = 0.5;  // and at this strain at the latest: far beyond any rock [1]
+
+// About a day on one core for a core of some thousand discs.
+constexpr double most_steps = 5e8;
+
+struct Schedule {
+  int steps_per_sample;
+  double expected_strain;    ///< of the ends, at the expected strength [1]
+  double largest_strain;     ///< of the ends, when the test is given up [1]
+  double stop_fraction;      ///< of the peak [1]
+  std::size_t least_cracks;  ///< that a fracture through the core has
+};
+
+Schedule plan(const LoadFrame& frame, const Rock& rock, const LabSettings& settings) {
+  const double expected = expected_strain(frame.test, rock);
+  const double largest =
+      settings.largest_strain > 0.0 ? settings.largest_strain : std::min(strains_given_up * expected, most_strain);
+  const double rate = 2.0 * frame.end_speed / frame.length;
+  const double strain_per_step = rate * frame.world.step;
+  if (!(largest / strain_per_step <= most_steps)) {
+    throw base::InputError(fmt::format(
+        "strain rate {:.3g} /s: a test to a strain of {:.3g} would take {:.3g} steps of {:.3g} s (at most {:.0e}; a "
+        "faster test takes fewer)",
+        rate, largest, largest / strain_per_step, frame.world.step, most_steps));
+  }
+  const double steps = expected / strain_per_step / points_to_expected_strength;
+  return {.steps_per_sample = std::max(1, static_cast<int>(std::lround(steps))),
+          .expected_strain = expected,
+          .largest_strain = largest,
+          .stop_fraction = settings.stop_fraction > 0.0       ? settings.stop_fraction
+                           : frame.test == LabTest::brazilian ? stop_fraction_brazilian
+                                                              : stop_fraction_core,
+          .least_cracks = static_cast<std::size_t>(settings.width / (2.0 * rock.radius_max))};
+}
+
+/// Median height of the cracks over the height of the core.
+double fracture_height(const std::vector<Crack>& cracks, double height) {
+  std::vector<double> heights;
+  for (const Crack& crack : cracks) heights.push_back(crack.y / height);
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  return *middle;
+}
+
+[[noreturn]] void give_up(const LabRun& run, const Schedule& schedule, double peak) {
+  throw base::SimulationError(fmt::format(
+      "{} test of seed {}: no strength found up to a strain of {:.3g} (largest stress {:.4g} MPa, {} cracks; "
+      "the stress never fell to {:g} of its largest value); the rock may be ductile, or need a larger "
+      "largest strain",
+      name_of(run.test), run.seed, schedule.largest_strain, peak * 1e-6, run.cracks_tensile + run.cracks_shear,
+      schedule.stop_fraction));
+}
+
+/// What the two ends felt over one interval of the curve.
+struct Interval {
+  double stress;      ///< mean [Pa]
+  double difference;  ///< between the ends, size of its mean [Pa]
+};
+
+Interval load_on(LoadFrame& frame, int steps) {
+  double low = 0.0, high = 0.0;
+  for (int step = 0; step < steps; ++step) {
+    advance(frame);
+    const EndForces force = end_forces(frame);
+    low += force.low;
+    high += force.high;
+  }
+  const double per = 1.0 / (steps * frame.section);
+  return {.stress = 0.5 * (low + high) * per, .difference = std::fabs(low - high) * per};
+}
+
+/// Loads until the stress has fallen to the stop fraction of its peak, and fills curve, counts and imbalance.
+/// A fracture through the core breaks at least one element for each grain on its way: what fell with fewer was a wave,
+/// or a grain crushed at a platen.
+void load_to_failure(LoadFrame& frame, const Schedule& schedule, LabRun& run, const base::ProgressCallback& progress) {
+  double peak = 0.0, sum_of_differences = 0.0;
+  std::size_t counted = 0;
+  bool broken = false;
+  while (!broken) {
+    const Interval interval = load_on(frame, schedule.steps_per_sample);
+    run.steps += schedule.steps_per_sample;
+    base::throw_if_stopped();
+    require_finite(frame.world);
+    const std::vector<Crack>& cracks = frame.world.cracks;
+    for (; counted < cracks.size(); ++counted) ++(cracks[counted].mode == 1 ? run.cracks_tensile : run.cracks_shear);
+    const CoreStrain strain = core_strain(frame);
+    if (!std::isfinite(strain.along + strain.across))
+      throw base::SimulationError(
+          fmt::format("{} test of seed {}: the middle of the core is gone, no strain can be measured",
+                      name_of(run.test), run.seed));
+    const double ends = end_strain(frame);
+    run.curve.push_back({.strain = frame.test == LabTest::brazilian ? ends : strain.along,
+                         .lateral_strain = strain.across,
+                         .stress = interval.stress,
+                         .cracks_tensile = run.cracks_tensile,
+                         .cracks_shear = run.cracks_shear});
+    sum_of_differences += interval.difference;
+    if (interval.stress > peak) {
+      peak = interval.stress;
+      run.imbalance = sum_of_differences / static_cast<double>(run.curve.size()) / peak;
+    }
+    if (progress) progress(std::min(ends, schedule.expected_strain), schedule.expected_strain);
+    broken = counted >= schedule.least_cracks && interval.stress <= schedule.stop_fraction * peak;
+    if (!broken && ends >= schedule.largest_strain) give_up(run, schedule, peak);
+  }
+}
+
+}  // namespace
+
+const char* name_of(LabTest test) {
+  switch (test) {
+    case LabTest::ucs:
+      return "ucs";
+    case LabTest::tension:
+      return "tension";
+    case LabTest::brazilian:
+      return "brazilian";
+  }
+  return "";
+}
+
+LabBox specimen_box(LabTest test, const LabSettings& settings) {
+  return {settings.width, test == LabTest::brazilian ? settings.width : settings.height};
+}
+
+void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& settings, const std::string& source) {
+  const LabBox box = specimen_box(test, settings);
+  check_specimen_size(rock, box.width, box.height, source);
+  const auto require = [&source](bool good, const char* name, double seen, const char* allowed) {
+    if (!good) throw base::InputError(fmt::format("{}: {} = {:g} (must be {})", source, name, seen, allowed));
+  };
+  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
+  require(within(settings.strain_rate, 0.0, 1e4), "strain rate", settings.strain_rate, "0 to 1e4 /s");
+  require(within(settings.local_damping, 0.0, 0.95), "local damping", settings.local_damping, "0 to 0.95");
+  require(within(settings.platen_friction, 0.0, 10.0), "platen friction", settings.platen_friction, "0 to 10");
+  require(within(settings.stop_fraction, 0.0, 0.99), "stop fraction", settings.stop_fraction, "0 to 0.99");
+  require(within(settings.largest_strain, 0.0, 0.9), "largest strain", settings.largest_strain, "0 to 0.9");
+  if (test == LabTest::tension) {
+    const double grip = grip_height(rock.radius_max, settings);
+    require(settings.grip_height >= 0.0 && 2.0 * grip <= 0.5 * settings.height, "grip height [mm]", 1e3 * grip,
+            "at most a quarter of the core's height: shorter grips or a longer core");
+  }
+}
+
+LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& settings,
+                    const base::ProgressCallback& progress) {
+  const auto started = std::chrono::steady_clock::now();
+  check_lab_settings(test, specimen.rock, settings, std::string(name_of(test)) + " test");
+  const LabBox box = specimen_box(test, settings);
+  if (specimen.width != box.width || specimen.height != box.height) {
+    throw base::InputError(fmt::format("{} test: the specimen is {:.6g} x {:.6g} mm (wanted is {:.6g} x {:.6g} mm)",
+                                       name_of(test), specimen.width * 1e3, specimen.height * 1e3, box.width * 1e3,
+                                       box.height * 1e3));
+  }
+  LoadFrame frame = make_load_frame(test, specimen, settings);
+  const Schedule schedule = plan(frame, specimen.rock, settings);
+  LabRun run{.test = test, .seed = specimen.seed, .width = specimen.width, .height = specimen.height};
+  run.discs = frame.world.discs.count();
+  run.joints = frame.world.joints.count();
+  run.strain_rate = 2.0 * frame.end_speed / frame.length;
+  run.step = frame.world.step;
+  load_to_failure(frame, schedule, run, progress);
+
+  const CurveResult result = read_curve(run.curve);
+  run.peak_stress = result.peak_stress;
+  run.strain_at_peak = result.strain_at_peak;
+  run.youngs_modulus = test == LabTest::brazilian ? not_measured : result.youngs_modulus;
+  run.poissons_ratio = test == LabTest::brazilian ? not_measured : result.poissons_ratio;
+  run.crack_initiation_stress = result.crack_initiation_stress;
+  run.cracks_at_peak = result.cracks_at_peak;
+  run.fracture_height = test == LabTest::tension ? fracture_height(frame.world.cracks, specimen.height) : not_measured;
+  run.last = state_of(frame);
+  run.cracks = std::move(frame.world.cracks);
+  run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  return run;
+}
+
+}  // namespace dem2d

@@ -1,0 +1,111 @@
+#pragma once
+/// Strength tests on synthetic rock, as a rock mechanics laboratory does them: uniaxial compression between platens,
+/// direct tension by gripped ends, and the Brazilian test of a disc squeezed across its diameter.
+///
+/// **Equation.** With the mean F of the forces at the two ends, per metre of thickness,
+///
+///     ucs, tension:  stress = F / width            brazilian:  stress = 2 F / (pi D)
+///
+/// strain and lateral strain are the slopes of the plane fitted to the displacements of all discs of the middle half of
+/// the core (strain.hpp), so that neither platens nor grips enter; in the Brazilian test strain is the shortening of
+/// the loaded diameter over D. Then
+///
+///     strength       = largest stress
+///     E              = stress / strain and nu = -lateral strain / strain, secants from 0 to half the strength
+///     crack initiation stress = stress when 1 % of the cracks that exist at the peak exist
+///
+/// **Signs.** Stress and strains are positive in compression in `ucs` and `brazilian`, in extension in `tension`.
+///
+/// **Symbols.** F [N/m]; width, D [m]; stress, E [Pa]; strain, nu [1].
+///
+/// **Source.** Secant modulus to half the strength: [IsrmUniaxial1979]; Brazilian formula: [IsrmTensile1978]; platens
+/// and grips that move at both ends, stop at a share of the peak: the tests of [Potyondy2015]. The 1 % rule for crack
+/// initiation is a convention of bonded-particle work [PotyondyCundall2004].
+///
+/// **End.** Cores are loaded until the stress has fallen to 0.8 of its peak. The halves of a split Brazilian disc can
+/// carry more than the disc did; its strength is the load at primary fracture [IsrmTensile1978], so it is loaded only
+/// until the stress has fallen to 0.95 of its peak. No fall counts before there are cracks enough for a fracture
+/// through the core: width over the largest grain's diameter.
+///
+/// **Differences and validity.** The loading is dynamic and slow (loading_rate.hpp); `LabRun::imbalance` says how far
+/// it is from equilibrium. A core starts with the velocity field of uniform straining, so no wave runs through it when
+/// the loading begins. After the peak, when the core falls to pieces, strains of the middle half mean little.
+
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "dem2d/specimen/genesis.hpp"
+
+namespace dem2d {
+
+enum class LabTest { ucs, tension, brazilian };
+
+struct LabSettings {
+  double width = 50e-3;          ///< of the core; brazilian: diameter of the disc [m]
+  double height = 100e-3;        ///< of the core; not used by brazilian [m]
+  double strain_rate = 0.0;      ///< [1/s]; 0: default_strain_rate
+  double local_damping = 0.1;    ///< alpha; the same as of a cut (loading_rate.hpp) [1]
+  double platen_friction = 0.0;  ///< [1]
+  double grip_height = 2e-3;     ///< of each end held in tension; at least 1.5 largest diameters are held [m]
+  double stop_fraction =
+      0.0;  ///< the test ends when the stress has fallen to this share of the peak [1]; 0: 0.8, brazilian 0.95
+  double largest_strain = 0.0;  ///< at which a test without a peak is given up [1]; 0: five times what is expected
+};
+
+/// One point of the curve: means over the steps since the point before.
+struct LabSample {
+  double strain, lateral_strain;  ///< [1]
+  double stress;                  ///< [Pa]
+  int cracks_tensile, cracks_shear;
+};
+
+/// All discs at one instant.
+struct LabState {
+  std::vector<double> x, y, radius;  ///< [m]
+  std::vector<int> id;
+  std::vector<int> fragment;  ///< discs with the same number hang together by bonded joints; 0 is the largest
+  double low, high;           ///< where the platens, or the inner ends of the grips, are [m]
+};
+
+struct LabRun {
+  LabTest test;
+  std::uint64_t seed = 0;
+  double width = 0.0, height = 0.0;      ///< of the specimen's box [m]
+  int discs = 0, joints = 0;             ///< at the start
+  double peak_stress = 0.0;              ///< the strength [Pa]
+  double strain_at_peak = 0.0;           ///< [1]
+  double youngs_modulus = 0.0;           ///< [Pa]; brazilian: NaN, the test does not give it
+  double poissons_ratio = 0.0;           ///< [1]; brazilian: NaN
+  double crack_initiation_stress = 0.0;  ///< [Pa]
+  int cracks_tensile = 0, cracks_shear = 0, cracks_at_peak = 0;
+  double fracture_height = 0.0;  ///< tension: median height of the cracks over the core's height [1]; others: NaN
+  double imbalance = 0.0;        ///< mean difference of the two end forces up to the peak, over the peak force [1]
+  double strain_rate = 0.0;      ///< [1/s]
+  double step = 0.0;             ///< [s]
+  long long steps = 0;
+  double wall_time = 0.0;  ///< [s]
+  std::vector<LabSample> curve;
+  std::vector<Crack> cracks;
+  LabState last;  ///< for the picture
+};
+
+/// The name used on the command line and in files: ucs, tension, brazilian.
+const char* name_of(LabTest test);
+
+/// Throws `InputError` beginning with `source` when the settings make no test of this rock.
+void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& settings, const std::string& source);
+
+/// Width and height of the specimen that a test needs: for the Brazilian test the box around its disc.
+struct LabBox {
+  double width, height;  ///< [m]
+};
+LabBox specimen_box(LabTest test, const LabSettings& settings);
+
+/// Tests one specimen on one core; only `specimen.rock`'s joints and contacts decide its strength, so that they may be
+/// exchanged after packing. Throws `SimulationError` when the core does not break within `largest_strain`, and
+/// `Interrupted` when the user stops.
+LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& settings,
+                    const base::ProgressCallback& progress = {});
+
+}  // namespace dem2d

@@ -1,0 +1,106 @@
+#pragma once
+/// What the pictures of the engine share: colours, the page with its scales, discs by fragment, cracks where their
+/// discs are now, axes and legend, and the PNG at the end. Each picture (snapshot.cpp, lab/lab_picture.cpp) puts them
+/// together in its own way.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dem2d/step/world.hpp"
+
+struct _cairo_surface;  // as in cairo.h, which stays private to the sources
+struct _cairo;
+
+namespace dem2d {
+
+struct Colour {
+  double red, green, blue;
+};
+
+// Chosen to stay apart for colour-blind readers and in grey: light rock, blue chips, dark cracks in two hues.
+inline constexpr Colour rock_fill{0.93, 0.88, 0.78}, rock_line{0.70, 0.62, 0.48};
+inline constexpr Colour dust_fill{0.62, 0.63, 0.65};
+inline constexpr Colour chip_fills[] = {{0.55, 0.75, 0.90}, {0.40, 0.62, 0.80}, {0.68, 0.84, 0.94}, {0.48, 0.70, 0.75}};
+inline constexpr Colour tension_line{0.84, 0.15, 0.12}, shear_line{0.30, 0.08, 0.52};
+inline constexpr Colour tool_fill{0.22, 0.24, 0.28}, ink{0.15, 0.15, 0.15};
+
+/// A white page and the part of the world it shows, y upwards. The world may be metres, or strain and stress.
+class Picture {
+ public:
+  struct Frame {
+    double x_low, y_low, x_high, y_high;  ///< shown region, in units of the world
+    double left, top, right, bottom;      ///< margins [px]
+  };
+  /// With one scale for both axes: the height of the page follows.
+  static Picture of_world(const Frame& frame, int width_px);
+  /// With a scale for each axis.
+  static Picture of_curves(const Frame& frame, int width_px, int height_px);
+
+  double px(double x) const;
+  double py(double y) const;
+  double pixels_per_unit() const { return scale_x_; }  ///< of x
+  const Frame& frame() const { return frame_; }
+  _cairo* cairo() const { return cairo_.get(); }
+
+  void use(const Colour& colour) const;
+  void font_size(double pixels) const;
+  void text(double x, double y, const std::string& text) const;          ///< begins at (x, y) [px]
+  void centred_text(double x, double y, const std::string& text) const;  ///< middle at x [px]
+  void line(double x1, double y1, double x2, double y2) const;           ///< [px]
+  /// While `draw` runs, nothing is drawn outside the shown region.
+  template <class Draw>
+  void clipped(const Draw& draw) const {
+    begin_clip();
+    draw();
+    end_clip();
+  }
+  std::string png() const;
+
+ private:
+  Picture(const Frame& frame, double scale_x, double scale_y, int width_px, int height_px);
+  void begin_clip() const;
+  void end_clip() const;
+
+  Frame frame_;
+  double scale_x_, scale_y_;  // [px per unit]
+  std::unique_ptr<_cairo_surface, void (*)(_cairo_surface*)> surface_;
+  std::unique_ptr<_cairo, void (*)(_cairo*)> cairo_;
+};
+
+/// Discs at one instant; the spans are of one length.
+struct DrawnDiscs {
+  std::span<const double> x, y, radius;  ///< [m]
+  std::span<const int> id, fragment;
+  int born;  ///< discs at the start: ids are below this
+};
+
+/// Fragment 0 as rock, single discs as dust, the others as chips.
+void draw_discs(const Picture& picture, const DrawnDiscs& discs);
+
+/// Cracks whose two discs are still near each other, drawn between where the discs are now; those of flown pieces would
+/// only cover the picture with lines.
+void draw_cracks(const Picture& picture, const DrawnDiscs& discs, std::span<const Crack> cracks);
+
+void draw_polygon(const Picture& picture, const ConvexPolygon& outline, const Colour& fill);
+
+struct Axis {
+  double shown_per_unit;  ///< number at a tick = value * this
+  double tick;            ///< between two ticks, as shown
+  std::string label;
+};
+
+/// A tick that gives a handful of numbers over `span` (as shown).
+double tick_of(double span);
+
+void draw_axes(const Picture& picture, const Axis& x, const Axis& y);
+
+struct LegendEntry {
+  Colour colour;
+  bool line;  ///< otherwise a disc
+  std::string text;
+};
+void draw_legend(const Picture& picture, std::span<const LegendEntry> entries);
+
+}  // namespace dem2d
