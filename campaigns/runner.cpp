@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/parallel.hpp"
 #include "base/stop.hpp"
 #include "dem2d/specimen/specimen_file.hpp"
 
@@ -160,41 +159,25 @@ void run(const Study& study, const Path& folder, const RunOptions& options) {
 
   const std::vector<Job> pending = pending_jobs(study, folder, options);
   RockStore rocks(study, folder / "specimens", options.on_stage);
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> interrupted{false};
   std::mutex report_mutex;
-  std::exception_ptr broken;  // of the runner itself, such as a full disk
   int finished = 0;
   double work_done = 0.0, work_total = 0.0;
   for (const Job& job : pending) work_total += simulated_time(job);
 
-  const auto work = [&] {
-    for (std::size_t mine = next++; mine < pending.size() && !interrupted; mine = next++) {
-      try {
-        // another runner on the same folder may have done it meanwhile
-        JobReport report = finished_run(folder, pending[mine]) ? JobReport{.job = &pending[mine]}
-                                                               : run_job(pending[mine], folder, rocks);
-        const std::lock_guard lock(report_mutex);
-        report.finished = ++finished;
-        report.total = static_cast<int>(pending.size());
-        work_done += simulated_time(pending[mine]);
-        report.share_done = work_done / work_total;
-        if (options.on_job) options.on_job(report);
-      } catch (const base::Interrupted&) {
-        interrupted = true;
-      } catch (...) {
-        const std::lock_guard lock(report_mutex);
-        broken = std::current_exception();
-        interrupted = true;
-      }
-    }
+  const auto do_job = [&](int index) {
+    const Job& job = pending[static_cast<std::size_t>(index)];
+    // another runner on the same folder may have done it meanwhile
+    JobReport report = finished_run(folder, job) ? JobReport{.job = &job} : run_job(job, folder, rocks);
+    const std::lock_guard lock(report_mutex);
+    report.finished = ++finished;
+    report.total = static_cast<int>(pending.size());
+    work_done += simulated_time(job);
+    report.share_done = work_done / work_total;
+    if (options.on_job) options.on_job(report);
   };
-  std::vector<std::thread> workers;
-  const int count = std::min<int>(std::max(1, options.workers), static_cast<int>(pending.size()));
-  for (int worker = 0; worker < count; ++worker) workers.emplace_back(work);
-  for (std::thread& worker : workers) worker.join();
-  if (broken) std::rethrow_exception(broken);
-  if (interrupted) {
+  try {
+    base::for_each_index(static_cast<int>(pending.size()), options.workers, do_job);
+  } catch (const base::Interrupted&) {
     throw base::Interrupted(fmt::format(
         "stopped by the user: {} of {} jobs of this call are finished and kept; the same command goes on with the rest",
         finished, pending.size()));
