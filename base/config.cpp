@@ -61,6 +61,7 @@ void assign(const toml::node& node, const Field& field, const Refuse& refuse) {
     const auto value = entry.is_number() ? entry.value<double>() : std::nullopt;
     if (!value) refuse(entry, "must be a number");
     if (!field.range.contains(*value)) refuse(entry, "must be " + field.range.text());
+    if (!std::isfinite(*value * field.si_per_unit)) refuse(entry, "is too large");
     return *value;
   };
   const auto integer = [&](const toml::node& entry) {

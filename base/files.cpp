@@ -23,9 +23,21 @@ std::filesystem::path part_name(const std::filesystem::path& path) {
   return path.string() + fmt::format(".{}.{}.part", ::getpid(), counter++);
 }
 
+/// Devices, pipes, and names of a process's own open files such as /dev/stdout: what can neither be renamed over nor
+/// flushed.
 bool is_special(const std::filesystem::path& path) {
   std::error_code ignored;
-  return std::filesystem::is_character_file(path, ignored) || std::filesystem::is_fifo(path, ignored);
+  const auto parent = std::filesystem::weakly_canonical(path.parent_path(), ignored).string();
+  return std::filesystem::is_character_file(path, ignored) || std::filesystem::is_fifo(path, ignored) ||
+         (std::filesystem::exists(path, ignored) && (parent == "/dev" || parent.starts_with("/proc/")));
+}
+
+/// Where a symbolic link leads, so that the link itself stays; any other path as it is.
+std::filesystem::path behind_link(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return path;
+  const auto target = std::filesystem::weakly_canonical(path, error);
+  return error ? path : target;
 }
 
 /// Writes all bytes to `file`, flushes, closes; returns 0 or the errno of the first failure.
@@ -63,16 +75,16 @@ std::string read_whole(const std::filesystem::path& path) {
 }
 
 void write_whole(const std::filesystem::path& path, std::string_view bytes) {
-  if (is_special(path)) {  // a device such as /dev/stdout can neither be renamed over nor flushed
-    const int device = ::open(path.c_str(), O_WRONLY);
+  if (is_special(path)) {
+    const int device = ::open(path.c_str(), O_WRONLY | O_APPEND);
     const int error = device < 0 ? errno : write_flush_close(device, bytes, false);
     if (error != 0) fail_writing(path, error);
     return;
   }
-  const std::filesystem::path part = part_name(path);
+  const std::filesystem::path target = behind_link(path), part = part_name(target);
   const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   int error = file < 0 ? errno : write_flush_close(file, bytes, true);
-  if (error == 0 && ::rename(part.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0 && ::rename(part.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {
     ::unlink(part.c_str());
     fail_writing(path, error);
@@ -96,7 +108,7 @@ std::filesystem::path place_of(const std::filesystem::path& path) {
 
 /// Makes and removes the part file that writing `path` would make.
 void try_part(const std::filesystem::path& path) {
-  const std::filesystem::path probe = part_name(path);
+  const std::filesystem::path probe = part_name(behind_link(path));
   const int file = ::open(probe.c_str(), O_WRONLY | O_CREAT, 0644);
   if (file < 0) {
     throw InputError(fmt::format("cannot write {}: {} (choose another place with -o or --dir)", path.string(),

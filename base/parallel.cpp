@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -35,10 +36,14 @@ void for_each_index(int count, int jobs, const std::function<void(int)>& functio
       }
     }
   };
-  std::vector<std::thread> helpers;
-  for (int helper = 1; helper < std::min(jobs, count); ++helper) helpers.emplace_back(work);
+  std::vector<std::jthread> helpers;  // they join when they go out of scope, whatever happens
+  try {
+    for (int helper = 1; helper < std::min(jobs, count); ++helper) helpers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // no more threads to be had: those there are do the work
+  }
   work();
-  for (std::thread& helper : helpers) helper.join();
+  helpers.clear();
   if (first) std::rethrow_exception(first);
 }
 

@@ -1,5 +1,6 @@
 // bitrock calibrate: micro-parameters of a synthetic rock from its laboratory numbers.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -11,9 +12,6 @@
 #include "dem2d/calibrate/calibrated_rock.hpp"
 #include "dem2d/calibrate/laboratory.hpp"
 #include "dem2d/lab/loading_rate.hpp"
-#include "dem2d/specimen/bonded_world.hpp"
-#include "dem2d/step/neighbours.hpp"
-#include "dem2d/step/step.hpp"
 
 namespace cli {
 
@@ -29,6 +27,7 @@ struct Options {
 
 // For the estimates of --check only.
 constexpr double typical_ns_per_disc_step = 85.0;  // measured on one core of a 2.6 GHz Xeon
+constexpr double typical_step = 0.5;               // of radius / wave speed: a disc between four neighbours of its size
 constexpr double load_after_expected = 1.3;        // a test goes on until the stress has fallen again
 constexpr int typical_coarse_evaluations = 5, typical_fine_evaluations = 3;
 
@@ -93,7 +92,7 @@ void print_evaluation(const Options& options, const dem2d::CalibrationTarget& ta
                         words.relative_error ? fmt::format("{:+.1f} %", 100.0 * error) : fmt::format("{:+.3f}", error));
     specimens = measured.count;
   }
-  if (specimens == 0) text = "no result";
+  if (specimens == 0) text = "no result: " + evaluation.failure;
   say(options.common, "    {} specimens: {}\n", specimens, text);
   std::fflush(stdout);
 }
@@ -101,12 +100,9 @@ void print_evaluation(const Options& options, const dem2d::CalibrationTarget& ta
 void print_plan(const Options& options, const dem2d::CalibrationTarget& target) {
   const dem2d::CalibrationSettings& settings = target.settings;
   const dem2d::LabSettings lab = dem2d::lab_settings_of(target);
-  const dem2d::Specimen specimen =
-      dem2d::make_specimen(target.start, lab.width, lab.height, static_cast<std::uint64_t>(settings.first_seed), 1);
-  dem2d::World world = dem2d::bonded_world(specimen, 1);
-  world.domain = {0.0, 0.0, specimen.width, specimen.height};
-  dem2d::prepare(world);
-  const double step = dem2d::critical_step(world), discs = static_cast<double>(specimen.x.size());
+  const double discs = dem2d::expected_discs(target.start, lab.width, lab.height);
+  const double step =
+      typical_step * target.start.radius_min * std::sqrt(target.start.density / target.start.joint_modulus);
   double seconds_per_specimen = 0.0;
   for (const dem2d::LabTest test : dem2d::tests_of(target)) {
     const double strain = dem2d::expected_strength(test, target.start) / target.start.joint_modulus;
@@ -117,12 +113,12 @@ void print_plan(const Options& options, const dem2d::CalibrationTarget& target) 
       typical_coarse_evaluations * settings.scouting_seeds + typical_fine_evaluations * settings.seeds;
   const double minutes = specimens * seconds_per_specimen / options.common.threads / 60.0;
   say(options.common,
-      "{}: cores of {:g} x {:g} mm, {} discs; seeds {} to {}, {} of them while scouting; about {:.2g} s of one core a "
-      "specimen; usually {} + {} evaluations (at most {}), about {:.2g} minutes on {} cores\n",
-      target.name, base::in_units(lab.width, base::mm), base::in_units(lab.height, base::mm), specimen.x.size(),
+      "{}: cores of {:g} x {:g} mm, about {:.0f} discs; seeds {} to {}, {} of them while scouting; about {:.2g} s of "
+      "one core a specimen; usually {} + {} evaluations (at most {}), about {:.2g} minutes on {} cores\n",
+      target.name, base::in_units(lab.width, base::mm), base::in_units(lab.height, base::mm), discs,
       settings.first_seed, settings.first_seed + settings.seeds - 1, settings.scouting_seeds, seconds_per_specimen,
       typical_coarse_evaluations, typical_fine_evaluations, settings.most_evaluations, minutes, options.common.threads);
-  write_json(options.common, {{"discs", specimen.x.size()},
+  write_json(options.common, {{"discs", std::llround(discs)},
                               {"seeds", settings.seeds},
                               {"scouting_seeds", settings.scouting_seeds},
                               {"most_evaluations", settings.most_evaluations},
@@ -195,9 +191,29 @@ dem2d::Evaluation evaluate(const Options& options, dem2d::Laboratory& laboratory
   return laboratory.evaluate(micro, seeds, progress.callback());
 }
 
-void finish(const Options& options, const dem2d::CalibrationTarget& target, const dem2d::Calibration& calibration,
-            const std::optional<dem2d::FreshSpecimens>& fresh) {
+/// Writes the rock and the JSON, the second time with the fresh specimens.
+void keep(const Options& options, const dem2d::CalibrationTarget& target, const dem2d::Calibration& calibration,
+          const std::optional<dem2d::FreshSpecimens>& fresh, const dem2d::LaboratoryCount& count, double wall) {
   base::write_whole(options.output, dem2d::calibrated_rock_toml(target, calibration, command_of(options), fresh));
+  nlohmann::json result = result_json(target, calibration, fresh);
+  result["wall_s"] = wall;
+  result["core_seconds"] = count.core_seconds;
+  result["tests"] = count.tests;
+  result["tests_reused"] = count.reused;
+  write_json(options.common, result);
+}
+
+dem2d::FreshSpecimens test_fresh(const Options& options, const dem2d::Calibration& calibration,
+                                 const std::vector<int>& seeds, dem2d::Laboratory& laboratory) {
+  try {
+    return {.seeds = seeds, .result = evaluate(options, laboratory, calibration.best.micro, seeds)};
+  } catch (const base::OutputError&) {
+    throw;
+  } catch (const base::SimulationError& error) {
+    throw base::SimulationError(fmt::format("--validate-seeds {}: {}; the calibrated rock ({}) is in {} without them",
+                                            options.validate_seeds, error.what(), dem2d::name_of(calibration.end),
+                                            options.output));
+  }
 }
 
 void run_calibration(const Options& options, const dem2d::CalibrationTarget& target, const std::vector<int>& fresh_list,
@@ -210,26 +226,20 @@ void run_calibration(const Options& options, const dem2d::CalibrationTarget& tar
         return evaluate(options, laboratory, micro, dem2d::seeds_from(first, seeds));
       },
       [&](const dem2d::Evaluation& evaluation, int number) { print_evaluation(options, target, evaluation, number); });
-  finish(options, target, calibration, {});
-  std::optional<dem2d::FreshSpecimens> fresh;
-  if (!fresh_list.empty()) {
-    fresh = {.seeds = fresh_list, .result = evaluate(options, laboratory, calibration.best.micro, fresh_list)};
-    finish(options, target, calibration, fresh);
-  }
-  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  nlohmann::json result = result_json(target, calibration, fresh);
-  result["wall_s"] = wall;
-  result["core_seconds"] = laboratory.count().core_seconds;
-  result["tests"] = laboratory.count().tests;
-  result["tests_reused"] = laboratory.count().reused;
-  write_json(options.common, result);
-
+  const auto wall = [started] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+  };
   say(options.common, "{} after {} evaluations, {} tests ({} more from the journal), {}\n",
       dem2d::name_of(calibration.end), calibration.evaluations.size(), laboratory.count().tests,
-      laboratory.count().reused, base::readable_duration(wall));
+      laboratory.count().reused, base::readable_duration(wall()));
   for (const std::string& line : dem2d::lines_about(target, calibration.best)) say(options.common, "    {}\n", line);
-  if (fresh) print_fresh(options, target, *fresh);
+  keep(options, target, calibration, {}, laboratory.count(), wall());
   say(options.common, "-> {}\n", options.output);
+  if (!fresh_list.empty()) {
+    const dem2d::FreshSpecimens fresh = test_fresh(options, calibration, fresh_list, laboratory);
+    print_fresh(options, target, fresh);
+    keep(options, target, calibration, fresh, laboratory.count(), wall());
+  }
   if (calibration.end == dem2d::SearchEnd::reached) return;
   std::string nearest;
   for (const std::string& line : dem2d::lines_about(target, calibration.best)) nearest += "\n  " + line;
@@ -240,14 +250,12 @@ void run_calibration(const Options& options, const dem2d::CalibrationTarget& tar
 void run(const Options& options) {
   const dem2d::CalibrationTarget target = dem2d::read_target(options.target_file);
   const std::vector<int> fresh_list = fresh_seeds(options, target);
-  if (options.common.check) {
-    require_outputs(options.common, {options.target_file, target.rock_file}, {});
-    return print_plan(options, target);
-  }
+  dem2d::check_tests(target);
   const std::string journal_file =
       options.journal_file.empty() ? options.output + ".journal.csv" : options.journal_file;
   require_outputs(options.common, {options.target_file, target.rock_file}, {options.output, journal_file});
   dem2d::Journal journal(journal_file, dem2d::journal_inputs(target));
+  if (options.common.check) return print_plan(options, target);
   dem2d::Laboratory laboratory(target, journal, options.common.threads);
   try {
     run_calibration(options, target, fresh_list, laboratory);
@@ -266,18 +274,23 @@ void add_calibrate(CLI::App& app) {
   command->add_option("target", options->target_file, "target file, e.g. campaigns/rocks/targets/article.toml")
       ->required();
   command->add_option("-o,--output", options->output, "rock file to write (.toml)")->default_val("rock.toml");
-  command->add_option("--journal", options->journal_file, "tests already made, to go on from [output.journal.csv]")
+  command
+      ->add_option("--journal", options->journal_file,
+                   "tests already made, to go on from [the file of -o with .journal.csv added]")
       ->check(not_empty());
   command->add_flag("--friction", options->friction,
                     "also change the friction of broken elements, when cohesion alone cannot give UCS");
-  command->add_option("--validate-seeds", options->validate_seeds,
-                      "then test the result on these fresh specimens: first:last, e.g. 101:110");
+  command
+      ->add_option("--validate-seeds", options->validate_seeds,
+                   "then test the result on these fresh specimens: first:last, e.g. 101:110")
+      ->check(CLI::Validator(
+          [](const std::string& text) { return text.empty() ? "write first:last, e.g. 101:110" : ""; }, ""));
   add_common(*command, options->common);
   options->common.threads = cores();
   command->add_option("--threads", options->common.threads, "tests side by side (the result does not depend on it)")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command->add_flag("--check", options->common.check, "read the target, say what it will cost, and stop");
+  command->add_flag("--check", options->common.check, "read target and journal, say what it will cost, and stop");
   command->callback([options] { run(*options); });
 }
 

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
+#include "base/errors.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
 
@@ -25,12 +29,32 @@ std::string seeds_text(int first, int last, int count) {
   return count == 1 ? fmt::format("seed {}", first) : fmt::format("seeds {} to {}", first, last);
 }
 
-/// A comment ends with its line, whatever a name or a command contains.
-std::string on_one_line(std::string text) {
-  for (char& letter : text) {
-    if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
+/// Bytes of the UTF-8 letter at the beginning of `text` (RFC 3629); 0 when it is none.
+std::size_t letter_length(std::string_view text) {
+  const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const auto follows = [&](std::size_t i) { return byte(i) >= 0x80 && byte(i) <= 0xbf; };
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return 1;
+  if (first >= 0xc2 && first <= 0xdf) return follows(1) ? 2 : 0;
+  if (first == 0xe0 && second < 0xa0) return 0;  // could be written shorter
+  if (first == 0xed && second > 0x9f) return 0;  // halves of UTF-16 pairs
+  if (first >= 0xe0 && first <= 0xef) return follows(1) && follows(2) ? 3 : 0;
+  if (first == 0xf0 && second < 0x90) return 0;  // could be written shorter
+  if (first == 0xf4 && second > 0x8f) return 0;  // above the last letter
+  return first >= 0xf0 && first <= 0xf4 && follows(1) && follows(2) && follows(3) ? 4 : 0;
+}
+
+/// A comment ends with its line and has no control characters, whatever a name or a command contains; a file name may
+/// even be no text at all.
+std::string on_one_line(std::string_view text) {
+  std::string line;
+  while (!text.empty()) {
+    const std::size_t length = letter_length(text);
+    const bool control = length == 1 && (static_cast<unsigned char>(text[0]) < ' ' || text[0] == '\x7f');
+    line += length == 0 ? "?" : control ? " " : text.substr(0, length);
+    text.remove_prefix(std::max<std::size_t>(length, 1));
   }
-  return text;
+  return line;
 }
 
 /// The number of specimens behind an evaluation.
@@ -127,7 +151,13 @@ std::string calibrated_rock_toml(const CalibrationTarget& target, const Calibrat
                         seeds_text(fresh->seeds.front(), fresh->seeds.back(), static_cast<int>(fresh->seeds.size())));
     for (const std::string& line : lines_about(target, fresh->result)) text += "#   " + line + "\n";
   }
-  return text + "\n" + base::to_toml(describe(rock));
+  text += fmt::format("\n{}", base::to_toml(describe(rock)));
+  try {
+    parse_rock(text, "the calibrated rock");
+  } catch (const base::InputError& error) {
+    throw base::SimulationError(fmt::format("{}: not written, because no command could read it", error.what()));
+  }
+  return text;
 }
 
 }  // namespace dem2d

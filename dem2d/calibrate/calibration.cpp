@@ -40,6 +40,8 @@ constexpr double clear_miss = 3.0;           // standard errors
 constexpr double coarse_tolerance = 2.0;     // over that of the fine search
 constexpr int kept_for_the_fine_search = 3;  // evaluations of the budget
 
+constexpr double least_friction = 0.05;
+
 // Where a measured slope is smaller than this share of the guess (nothing seems to help), the guess's sign still
 // counts.
 constexpr double least_slope = 0.05;
@@ -90,7 +92,7 @@ Unknown limited(Unknown unknown, const Micro& start) {
   unknown.high = value * unlimited;
   if (unknown.parameter == stiffness_ratio) unknown.low = 1.0, unknown.high = 10.0;
   if (unknown.parameter == cohesion) unknown.low = 0.5 * strength, unknown.high = 30.0 * strength;
-  if (unknown.parameter == friction) unknown.low = 0.05, unknown.high = 2.0;
+  if (unknown.parameter == friction) unknown.low = least_friction, unknown.high = 2.0;
   unknown.low = std::min(unknown.low, value);
   unknown.high = std::max(unknown.high, value);
   return unknown;
@@ -192,6 +194,17 @@ void refuse_unusable(const Stage& stage, const Evaluation& evaluation) {
   }
 }
 
+/// A search whose first evaluation fails has no slope to follow and no point to go back to.
+[[noreturn]] void refuse_start(const Stage& stage, bool at_start_rock, const base::SimulationError& error) {
+  throw base::SimulationError(
+      at_start_rock ? fmt::format("the start rock could not be tested: {} (choose another start.rock, nearer to the "
+                                  "wanted numbers, or another core size in its [specimen])",
+                                  error.what())
+                    : fmt::format("the micro-parameters found so far could not be tested on {} specimens: {} (other "
+                                  "specimens, calibration.first_seed, or another start.rock may do)",
+                                  stage.seeds, error.what()));
+}
+
 std::vector<std::string> limits_in_words(const Stage& stage, const RootResult& result) {
   std::vector<std::string> limits;
   for (std::size_t j = 0; j < stage.unknowns.size(); ++j) {
@@ -222,9 +235,10 @@ RootResult run_stage(const Stage& stage, const RootProblem& problem, const Evalu
     } catch (const base::OutputError&) {
       throw;
     } catch (const base::SimulationError& error) {
-      if (calibration.evaluations.size() == first) throw;  // nowhere to go back to
+      if (calibration.evaluations.size() == first) refuse_start(stage, first == 0, error);  // nowhere to go back to
       calibration.failures.emplace_back(error.what());
       evaluation.measured = {};
+      evaluation.failure = error.what();
     }
     calibration.evaluations.push_back(evaluation);
     if (on_evaluation) on_evaluation(evaluation, static_cast<int>(calibration.evaluations.size()));
@@ -237,8 +251,11 @@ RootResult run_stage(const Stage& stage, const RootProblem& problem, const Evalu
   return result;
 }
 
-/// Cohesion stays at its limit, and the friction of broken elements looks for UCS in its place.
-void let_friction_help(Stage& stage, const Micro& start) {
+/// Cohesion stays at its limit, and the friction of broken elements looks for UCS in its place. No friction has no
+/// logarithm: then the search begins at the least friction allowed.
+void let_friction_help(Stage& stage, Micro& start) {
+  double& coefficient = start[index_of(friction)];
+  if (coefficient == 0.0) coefficient = least_friction;
   for (Unknown& unknown : stage.unknowns) {
     if (unknown.parameter == cohesion) unknown.low = unknown.high = value_of(unknown, start);
   }
@@ -312,7 +329,7 @@ Calibration calibrate(const CalibrationTarget& target, const CalibrationChoices&
 
   if (choices.friction && cohesion_is_too_small(target, calibration, stage, found) &&
       spent() < settings.most_evaluations) {
-    const Micro limit = calibration.best.micro;
+    Micro limit = calibration.best.micro;
     let_friction_help(stage, limit);
     stage.budget = settings.most_evaluations - spent();
     problem = problem_of(target, stage, limit);

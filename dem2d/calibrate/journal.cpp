@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
@@ -17,18 +19,42 @@ const std::vector<std::string> column_names{
     "inputs",      "test",     "seed",           "effective_modulus_Pa", "stiffness_ratio", "tensile_strength_Pa",
     "cohesion_Pa", "friction", "peak_stress_Pa", "youngs_modulus_Pa",    "poissons_ratio",  "wall_s"};
 constexpr std::size_t micro_begin = 3, results_begin = micro_begin + micro_count;
+constexpr std::string_view white_space = " \t\r\n";
+
+/// Left by a program that was stopped before its first test, or made by hand.
+bool is_new(const std::filesystem::path& path) {
+  const std::string content = base::read_whole(path);
+  const std::size_t end = content.find_last_not_of(white_space);
+  return end == std::string::npos || content.substr(0, end + 1) == fmt::format("{}", fmt::join(column_names, ","));
+}
+
+/// Refuses what no test can have given, before it decides a calibration.
+void check_row(const base::CsvTable& table, std::size_t row) {
+  const auto require = [&](std::size_t column, bool good, const char* allowed) {
+    if (good) return;
+    throw base::InputError(fmt::format("{}:{}: {} = {} (must be {}; mend or remove the row)", table.source,
+                                       table.lines[row], column_names[column], table.columns[column][row], allowed));
+  };
+  const auto cell = [&](std::size_t column) { return table.columns[column][row]; };
+  const double test = cell(1), seed = cell(2);
+  require(1, test == static_cast<double>(LabTest::ucs) || test == static_cast<double>(LabTest::tension), "0 or 1");
+  require(2, seed >= 0.0 && seed <= std::numeric_limits<int>::max() && seed == std::floor(seed),
+          "a whole number, at least 0");
+  for (const std::size_t column : {results_begin, results_begin + 1}) require(column, cell(column) > 0.0, "above 0");
+}
 
 }  // namespace
 
 Journal::Journal(std::filesystem::path path, const std::string& inputs)
-    : path_(std::move(path)), inputs_(static_cast<double>(base::fingerprint(inputs) >> 12)) {
-  if (!std::filesystem::exists(path_)) return;
+    : path_(std::move(path)), lock_(path_), inputs_(static_cast<double>(base::fingerprint(inputs) >> 12)) {
+  if (!std::filesystem::exists(path_) || is_new(path_)) return;
   const base::CsvTable table = base::read_csv(path_);
   if (table.names != column_names) {
     throw base::InputError(
         fmt::format("{}: not a journal of a calibration (choose another file with --journal)", path_.string()));
   }
   for (std::size_t i = 0; i < table.rows(); ++i) {
+    check_row(table, i);
     const auto cell = [&](std::size_t column) { return table.columns[column][i]; };
     Row row{.inputs = cell(0), .record = {.test = static_cast<LabTest>(cell(1)), .seed = static_cast<int>(cell(2))}};
     for (std::size_t j = 0; j < row.record.micro.size(); ++j) row.record.micro[j] = cell(micro_begin + j);

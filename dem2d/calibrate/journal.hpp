@@ -1,7 +1,8 @@
 #pragma once
 /// What calibration has already tested, in a table beside its result: one row a laboratory test. The same command looks
 /// there first, so a calibration that was stopped goes on where it stood, and a second one with other tolerances or
-/// targets reuses what it can. Rows of other inputs (rock, core size, engine) are kept and passed over.
+/// targets reuses what it can. Rows of other inputs (rock, core size, engine) are kept and passed over. One program at
+/// a time uses a journal.
 
 #include <cstdint>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "dem2d/calibrate/file_lock.hpp"
 #include "dem2d/calibrate/properties.hpp"
 #include "dem2d/lab/lab_test.hpp"
 
@@ -27,8 +29,9 @@ struct TestRecord {
 
 class Journal {
  public:
-  /// Reads the table when it is there; `inputs` is a text on which all that the tests depend is written, but for
-  /// micro-parameters and seed. Throws `base::InputError` when a file of that name is no journal.
+  /// Reads the table when it is there; an empty file is a new journal. `inputs` is a text on which all that the tests
+  /// depend is written, but for micro-parameters and seed. Throws `base::InputError` when a file of that name is no
+  /// journal, has a row that no test can have given, or is used by another program.
   Journal(std::filesystem::path path, const std::string& inputs);
 
   /// The record of exactly these micro-parameters and seed. Safe to call from several threads.
@@ -45,6 +48,7 @@ class Journal {
     TestRecord record;
   };
   std::filesystem::path path_;
+  FileLock lock_;
   double inputs_;
   std::vector<Row> rows_;
   mutable std::mutex mutex_;

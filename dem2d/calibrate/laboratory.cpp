@@ -100,6 +100,12 @@ std::vector<LabTest> tests_of(const CalibrationTarget& target) {
   return tests;
 }
 
+void check_tests(const CalibrationTarget& target) {
+  for (const LabTest test : tests_of(target)) {
+    check_lab_settings(test, target.start, lab_settings_of(target), target.rock_file.string());
+  }
+}
+
 std::vector<int> seeds_from(int first, int count) {
   std::vector<int> seeds(static_cast<std::size_t>(count));
   std::iota(seeds.begin(), seeds.end(), first);
@@ -108,9 +114,7 @@ std::vector<int> seeds_from(int first, int count) {
 
 Laboratory::Laboratory(const CalibrationTarget& target, Journal& journal, int threads)
     : target_(target), settings_(lab_settings_of(target)), journal_(journal), threads_(threads) {
-  for (const LabTest test : tests_of(target)) {
-    check_lab_settings(test, target.start, settings_, target.rock_file.string());
-  }
+  check_tests(target);
 }
 
 void Laboratory::pack(const std::vector<int>& seeds) {

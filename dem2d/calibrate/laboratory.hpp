@@ -21,6 +21,9 @@ std::string journal_inputs(const CalibrationTarget& target);
 /// Tests of this target, the longest first.
 std::vector<LabTest> tests_of(const CalibrationTarget& target);
 
+/// Throws `InputError` naming the start rock when the tests of this target cannot be made on its core.
+void check_tests(const CalibrationTarget& target);
+
 struct LaboratoryCount {
   int tests = 0;              ///< run by this call of the program
   int reused = 0;             ///< found in the journal

@@ -1,6 +1,8 @@
 #include "dem2d/calibrate/properties.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "base/units.hpp"
 
@@ -23,9 +25,42 @@ constexpr std::array<MicroWords, micro_count> micro_words{{
     {"friction_coefficient", "friction coefficient", "", 1.0},
 }};
 
-/// `companion` in the proportion in which its parameter changed; untouched when it did not.
+/// The value in its file unit, made a number of four digits by `whole`; in SI again.
+double four_digits(MicroParameter parameter, double value, double (*whole)(double)) {
+  if (value == 0.0) return value;
+  const double unit = words_of(parameter).si_per_unit;
+  const double decade = std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(value / unit))));
+  return whole(value / unit * decade) / decade * unit;
+}
+
+double down(double value) {
+  return std::floor(value);
+}
+
+double nearest(double value) {
+  return std::round(value);
+}
+
+/// `companion` in the proportion in which its parameter changed; untouched when it did not. Nothing has a proportion to
+/// zero friction.
 double carried(MicroParameter parameter, double companion, double before, double after) {
-  return after == before ? companion : rounded(parameter, companion * (after / before));
+  return after == before || before == 0.0 ? companion : rounded(parameter, companion * (after / before));
+}
+
+/// A standard deviation that a rock file may have beside this strength: at most half of it.
+double bounded_deviation(MicroParameter strength, double deviation, double value) {
+  return deviation > 0.5 * value ? four_digits(strength, 0.5 * value, down) : deviation;
+}
+
+/// Moves a number of the rock into the range that the rock file allows it.
+void keep_in_range(Rock& rock, double& number) {
+  for (const base::Section& section : describe(rock)) {
+    for (const base::Field& field : section.fields) {
+      const auto* target = std::get_if<double*>(&field.target);
+      if (target == nullptr || *target != &number) continue;
+      number = std::clamp(number, field.range.low * field.si_per_unit, field.range.high * field.si_per_unit);
+    }
+  }
 }
 
 }  // namespace
@@ -61,14 +96,18 @@ Rock with_micro(const Rock& rock, const Micro& micro) {
   go_along(cohesion, changed.residual_cohesion);
   changed.friction = micro[index_of(friction)];
   go_along(friction, changed.contact_friction);
+
+  changed.tensile_strength_deviation =
+      bounded_deviation(tensile_strength, changed.tensile_strength_deviation, changed.tensile_strength);
+  changed.cohesion_deviation = bounded_deviation(cohesion, changed.cohesion_deviation, changed.cohesion);
+  keep_in_range(changed, changed.contact_modulus);
+  keep_in_range(changed, changed.contact_stiffness_ratio);
+  keep_in_range(changed, changed.contact_friction);
   return changed;
 }
 
 double rounded(MicroParameter parameter, double value) {
-  if (value == 0.0) return value;
-  const double unit = words_of(parameter).si_per_unit;
-  const double decade = std::pow(10.0, 3.0 - std::floor(std::log10(std::abs(value / unit))));
-  return std::round(value / unit * decade) / decade * unit;
+  return four_digits(parameter, value, nearest);
 }
 
 double error_of(Property property, double value, double wanted) {

@@ -10,6 +10,7 @@
 /// | Poisson's ratio | tension test | stiffness ratio kappa |
 
 #include <array>
+#include <string>
 
 #include "base/statistics.hpp"
 #include "dem2d/specimen/rock.hpp"
@@ -51,8 +52,8 @@ const MicroWords& words_of(MicroParameter parameter);
 Micro micro_of(const Rock& rock);
 
 /// The rock with these micro-parameters. What belongs to a changed one goes with it in proportion: the modulus, ratio
-/// and friction of the linear contacts, the scatter of the strengths, the residual cohesion. What is not changed stays
-/// as it is, bit for bit.
+/// and friction of the linear contacts, the scatter of the strengths, the residual cohesion; but never out of the
+/// ranges of a rock file. What is not changed stays as it is, bit for bit.
 Rock with_micro(const Rock& rock, const Micro& micro);
 
 /// The parameter rounded to four digits of its file unit, so that a rock file holds exactly what was tested.
@@ -65,6 +66,7 @@ double error_of(Property property, double value, double wanted);
 struct Evaluation {
   Micro micro{};
   PerProperty<base::Summary> measured;  ///< [Pa], [Pa], [Pa], [1]
+  std::string failure;                  ///< why nothing was measured; empty when it was
 };
 
 inline std::size_t index_of(Property property) {

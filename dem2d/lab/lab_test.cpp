@@ -27,11 +27,20 @@ constexpr double stop_fraction_core = 0.8, stop_fraction_brazilian = 0.95;
 constexpr double points_to_expected_strength = 500.0;
 
 // A test without a peak is given up at this many times the expected strain.
-constexpr double strains_given_up = 5.0;
+// Unbonded joints soften: with half of them slit a core under tension has a twentieth of its modulus.
+constexpr double strains_given_up = 5.0, strains_given_up_unbonded = 25.0;
 constexpr double most_strain = 0.5;  // and at this strain at the latest: far beyond any rock [1]
 
 // About a day on one core for a core of some thousand discs.
 constexpr double most_steps = 5e8;
+
+// The user's wish to stop is looked for after this many steps at the latest: a second for ten thousand discs.
+constexpr int steps_between_looks = 1000;
+
+// A core with unbonded joints is severed when it has carried less than this share of the peak for so many points of the
+// curve, a fifth of the expected strain: longer than any wave.
+constexpr double slack_share = 0.1;
+constexpr int slack_points = 100;
 
 struct Schedule {
   int steps_per_sample;
@@ -39,28 +48,66 @@ struct Schedule {
   double largest_strain;     ///< of the ends, when the test is given up [1]
   double stop_fraction;      ///< of the peak [1]
   std::size_t least_cracks;  ///< that a fracture through the core has
+  bool may_part_unbroken;    ///< along joints that were never bonded
 };
+
+double share_bonded(const Rock& rock) {
+  return 1.0 - rock.gapped_fraction - rock.slit_fraction;
+}
+
+double largest_strain(LabTest test, const Rock& rock, const LabSettings& settings) {
+  if (settings.largest_strain > 0.0) return settings.largest_strain;
+  const double times = share_bonded(rock) < 1.0 ? strains_given_up_unbonded : strains_given_up;
+  return std::min(times * expected_strain(test, rock), most_strain);
+}
+
+void refuse_endless_test(LabTest test, const Rock& rock, const LabSettings& settings, const std::string& source) {
+  const double rate = settings.strain_rate > 0.0 ? settings.strain_rate : default_strain_rate(test, rock, settings);
+  const double largest = largest_strain(test, rock, settings), step = expected_step(rock);
+  const double steps = largest / (rate * step);
+  if (steps <= most_steps) return;
+  throw base::InputError(fmt::format(
+      "{}: strain rate {:.3g} /s: a test to a strain of {:.3g} would take {:.3g} steps of {:.3g} s (at most {:.0e}; a "
+      "faster test takes fewer)",
+      source, rate, largest, steps, step, most_steps));
+}
 
 Schedule plan(const LoadFrame& frame, const Rock& rock, const LabSettings& settings) {
   const double expected = expected_strain(frame.test, rock);
-  const double largest =
-      settings.largest_strain > 0.0 ? settings.largest_strain : std::min(strains_given_up * expected, most_strain);
   const double rate = 2.0 * frame.end_speed / frame.length;
   const double strain_per_step = rate * frame.world.step;
-  if (!(largest / strain_per_step <= most_steps)) {
-    throw base::InputError(fmt::format(
-        "strain rate {:.3g} /s: a test to a strain of {:.3g} would take {:.3g} steps of {:.3g} s (at most {:.0e}; a "
-        "faster test takes fewer)",
-        rate, largest, largest / strain_per_step, frame.world.step, most_steps));
-  }
+  const double bonded = share_bonded(rock);
   const double steps = expected / strain_per_step / points_to_expected_strength;
   return {.steps_per_sample = std::max(1, static_cast<int>(std::lround(steps))),
           .expected_strain = expected,
-          .largest_strain = largest,
+          .largest_strain = largest_strain(frame.test, rock, settings),
           .stop_fraction = settings.stop_fraction > 0.0       ? settings.stop_fraction
                            : frame.test == LabTest::brazilian ? stop_fraction_brazilian
                                                               : stop_fraction_core,
-          .least_cracks = static_cast<std::size_t>(settings.width / (2.0 * rock.radius_max))};
+          .least_cracks = static_cast<std::size_t>(std::max(1.0, bonded * settings.width / (2.0 * rock.radius_max))),
+          .may_part_unbroken = bonded < 1.0};
+}
+
+/// Strength, moduli and crack initiation from the curve.
+void fill_results(LabRun& run) {
+  const auto refuse = [&run](const std::string& why) {
+    throw base::SimulationError(
+        fmt::format("{} test of seed {}: {}; the rock is too weak to be tested", name_of(run.test), run.seed, why));
+  };
+  const auto carries = [](const LabSample& sample) { return sample.stress > 0.0; };
+  if (std::none_of(run.curve.begin(), run.curve.end(), carries)) refuse("the core never carried any load");
+  const CurveResult result = read_curve(run.curve);
+  const bool good = std::isfinite(result.youngs_modulus) && result.youngs_modulus > 0.0 &&
+                    std::isfinite(result.poissons_ratio) && result.strain_at_peak > 0.0;
+  if (!good)
+    refuse(fmt::format("the strain at half the peak of {:.3g} MPa is not positive", result.peak_stress * 1e-6));
+  const bool elastic = run.test != LabTest::brazilian;
+  run.peak_stress = result.peak_stress;
+  run.strain_at_peak = result.strain_at_peak;
+  run.youngs_modulus = elastic ? result.youngs_modulus : not_measured;
+  run.poissons_ratio = elastic ? result.poissons_ratio : not_measured;
+  run.crack_initiation_stress = result.crack_initiation_stress;
+  run.cracks_at_peak = result.cracks_at_peak;
 }
 
 /// Median height of the cracks over the height of the core.
@@ -75,8 +122,8 @@ double fracture_height(const std::vector<Crack>& cracks, double height) {
 [[noreturn]] void give_up(const LabRun& run, const Schedule& schedule, double peak) {
   throw base::SimulationError(fmt::format(
       "{} test of seed {}: no strength found up to a strain of {:.3g} (largest stress {:.4g} MPa, {} cracks; "
-      "the stress never fell to {:g} of its largest value); the rock may be ductile, or need a larger "
-      "largest strain",
+      "the stress never fell to {:g} of its largest value with a fracture through the core); the rock may be too "
+      "strong for its stiffness, have too few bonded joints, or carry on by the friction of broken ones",
       name_of(run.test), run.seed, schedule.largest_strain, peak * 1e-6, run.cracks_tensile + run.cracks_shear,
       schedule.stop_fraction));
 }
@@ -90,6 +137,7 @@ struct Interval {
 Interval load_on(LoadFrame& frame, int steps) {
   double low = 0.0, high = 0.0;
   for (int step = 0; step < steps; ++step) {
+    if (step % steps_between_looks == 0) base::throw_if_stopped();
     advance(frame);
     const EndForces force = end_forces(frame);
     low += force.low;
@@ -101,15 +149,16 @@ Interval load_on(LoadFrame& frame, int steps) {
 
 /// Loads until the stress has fallen to the stop fraction of its peak, and fills curve, counts and imbalance.
 /// A fracture through the core breaks at least one element for each grain on its way: what fell with fewer was a wave,
-/// or a grain crushed at a platen.
+/// or a grain crushed at a platen. Where the fracture follows joints that were never bonded it breaks fewer: then a
+/// core that stays slack is severed too.
 void load_to_failure(LoadFrame& frame, const Schedule& schedule, LabRun& run, const base::ProgressCallback& progress) {
   double peak = 0.0, sum_of_differences = 0.0;
   std::size_t counted = 0;
+  int slack = 0;  // points in a row
   bool broken = false;
   while (!broken) {
     const Interval interval = load_on(frame, schedule.steps_per_sample);
     run.steps += schedule.steps_per_sample;
-    base::throw_if_stopped();
     require_finite(frame.world);
     const std::vector<Crack>& cracks = frame.world.cracks;
     for (; counted < cracks.size(); ++counted) ++(cracks[counted].mode == 1 ? run.cracks_tensile : run.cracks_shear);
@@ -130,7 +179,9 @@ void load_to_failure(LoadFrame& frame, const Schedule& schedule, LabRun& run, co
       run.imbalance = sum_of_differences / static_cast<double>(run.curve.size()) / peak;
     }
     if (progress) progress(std::min(ends, schedule.expected_strain), schedule.expected_strain);
-    broken = counted >= schedule.least_cracks && interval.stress <= schedule.stop_fraction * peak;
+    slack = interval.stress <= slack_share * peak ? slack + 1 : 0;
+    const bool severed = schedule.may_part_unbroken && counted > 0 && slack >= slack_points;
+    broken = severed || (counted >= schedule.least_cracks && interval.stress <= schedule.stop_fraction * peak);
     if (!broken && ends >= schedule.largest_strain) give_up(run, schedule, peak);
   }
 }
@@ -170,6 +221,7 @@ void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& setti
     require(settings.grip_height >= 0.0 && 2.0 * grip <= 0.5 * settings.height, "grip height [mm]", 1e3 * grip,
             "at most a quarter of the core's height: shorter grips or a longer core");
   }
+  refuse_endless_test(test, rock, settings, source);
 }
 
 LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& settings,
@@ -190,14 +242,7 @@ LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& s
   run.strain_rate = 2.0 * frame.end_speed / frame.length;
   run.step = frame.world.step;
   load_to_failure(frame, schedule, run, progress);
-
-  const CurveResult result = read_curve(run.curve);
-  run.peak_stress = result.peak_stress;
-  run.strain_at_peak = result.strain_at_peak;
-  run.youngs_modulus = test == LabTest::brazilian ? not_measured : result.youngs_modulus;
-  run.poissons_ratio = test == LabTest::brazilian ? not_measured : result.poissons_ratio;
-  run.crack_initiation_stress = result.crack_initiation_stress;
-  run.cracks_at_peak = result.cracks_at_peak;
+  fill_results(run);
   run.fracture_height = test == LabTest::tension ? fracture_height(frame.world.cracks, specimen.height) : not_measured;
   run.last = state_of(frame);
   run.cracks = std::move(frame.world.cracks);

@@ -48,4 +48,8 @@ double expected_strain(LabTest test, const Rock& rock) {
   return std::min(factor * expected_strength(test, rock) / rock.joint_modulus, most_expected_strain);
 }
 
+double expected_step(const Rock& rock) {
+  return 0.5 * rock.radius_min * std::sqrt(rock.density / rock.joint_modulus);
+}
+
 }  // namespace dem2d

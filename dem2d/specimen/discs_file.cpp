@@ -9,13 +9,15 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "dem2d/step/pairs.hpp"
 
 namespace dem2d {
 
 namespace {
 
 constexpr std::size_t fewest_discs = 10;
-constexpr double largest_overlap = 0.5;  // over the smaller radius; genesis leaves at most about 0.25 [1]
+constexpr std::size_t most_pairs_per_disc = 16;  // three in a plane packing of like discs, six with many small ones
+constexpr double largest_overlap = 0.5;          // over the smaller radius; genesis leaves at most about 0.25 [1]
 
 // The same radii as in a rock file. Farther out, a disc is more likely a slip of units than rock.
 constexpr base::Range allowed_radius{.low = 1e-6, .high = 1.0};  // [m]
@@ -55,9 +57,16 @@ void require_inside(const Specimen& discs, const base::CsvTable& table) {
   }
 }
 
-void refuse_absurd_overlaps(const Specimen& discs, const base::CsvTable& table) {
-  for (std::size_t k = 0; k < discs.disc1.size(); ++k) {
-    const auto i = static_cast<std::size_t>(discs.disc1[k]), j = static_cast<std::size_t>(discs.disc2[k]);
+/// Looks at the first pairs only where there are more than any packing has: a heap of discs, or radii in a wrong unit,
+/// would have one for every two discs.
+void refuse_absurd_overlaps(const Specimen& specimen, const base::CsvTable& table) {
+  Discs discs;
+  discs.x = specimen.x;
+  discs.y = specimen.y;
+  discs.radius = specimen.radius;
+  const Pairs pairs = pairs_within(discs, 0.0, most_pairs_per_disc * specimen.x.size());
+  for (std::size_t k = 0; k < pairs.disc1.size(); ++k) {
+    const auto i = static_cast<std::size_t>(pairs.disc1[k]), j = static_cast<std::size_t>(pairs.disc2[k]);
     const double distance = std::hypot(discs.x[j] - discs.x[i], discs.y[j] - discs.y[i]);
     if (distance == 0.0) {
       throw base::InputError(fmt::format("{}: the discs of lines {} and {} have the same centre", table.source,
@@ -116,8 +125,8 @@ Specimen specimen_from_discs(const std::filesystem::path& path, const Rock& rock
   } else {
     shift_to_own_box(specimen);
   }
-  join_neighbours(specimen);
   refuse_absurd_overlaps(specimen, table);
+  join_neighbours(specimen);
   if (specimen.disc1.empty()) {
     throw base::InputError(fmt::format(
         "{}: no two discs are closer than flat_joints.installation_gap_mm = {:.4g} (nothing would be joined)",

@@ -24,7 +24,8 @@
 ///     0.03                 4.94            0.6 %      0.026                     0.113      0.10
 ///     0.01                 4.66            1.2 %      0.010                     0.144      0.145
 // clang-format on
-/// (article rock, installation gap 4 % of the mean diameter, about 3600 discs, mean of three seeds)
+/// (grains and installation gap of campaigns/rocks/start.toml, about 3600 discs, mean of three seeds; the shipped rocks
+/// use 60 MPa, see docs/decisions/0007)
 ///
 /// Source: [PotyondyCundall2004] for the sequence; calm, overlap limit and grain scaling as in the material-genesis
 /// procedure of [Potyondy2015]. Difference: no growing of discs with few joints (they are reported as floaters).

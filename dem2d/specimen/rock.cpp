@@ -29,6 +29,9 @@ Rock checked(base::ConfigFile file) {
   if (rock.gapped_fraction + rock.slit_fraction > 1.0) {
     file.refuse("flat_joints", "slit_fraction", "with gapped_fraction must be at most 1");
   }
+  if (rock.initial_gap > rock.radius_min) {
+    file.refuse("flat_joints", "initial_gap_mm", "must be at most discs.radius_min_mm");
+  }
   if (rock.gapped_fraction > 0.0 && !(rock.initial_gap > 0.0)) {
     file.refuse("flat_joints", "gapped_fraction",
                 "needs initial_gap_mm > 0 (touching unbonded joints are slit_fraction)");
@@ -45,7 +48,8 @@ Rock checked(base::ConfigFile file) {
 std::vector<base::Section> describe(Rock& rock) {
   using base::at_least, base::between, base::positive, base::any;
   const base::Range below_90{.low = 0.0, .high = 90.0, .high_open = true};
-  const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
+  // From a millionth of a soft clay to a thousand times diamond: enough to catch a slipped unit, and no overflow.
+  const base::Range solid = between(1e-6, 1e6);
   const base::Range stable_ratio = between(0.3, 1e3);  // softer normals outrun the critical step (step/step.hpp)
   return {
       {"rock", {{"name", &rock.name, 1.0, any(), "what this rock is called in reports"}}},
@@ -55,10 +59,10 @@ std::vector<base::Section> describe(Rock& rock) {
         {"density_kg_per_m3", &rock.density, 1.0, between(1.0, 1e5), "density of a grain"},
         {"porosity", &rock.porosity, 1.0, between(0.05, 0.3), "of the cloud before packing, overlaps not counted"}}},
       {"flat_joints",
-       {{"effective_modulus_GPa", &rock.joint_modulus, GPa, positive(), "E* of the joints", true},
+       {{"effective_modulus_GPa", &rock.joint_modulus, GPa, solid, "E* of the joints", true},
         {"stiffness_ratio", &rock.joint_stiffness_ratio, 1.0, stable_ratio, "normal over shear stiffness", true},
-        {"tensile_strength_MPa", &rock.tensile_strength, MPa, positive(), "of an element", true},
-        {"cohesion_MPa", &rock.cohesion, MPa, positive(), "of an element", true},
+        {"tensile_strength_MPa", &rock.tensile_strength, MPa, solid, "of an element", true},
+        {"cohesion_MPa", &rock.cohesion, MPa, solid, "of an element", true},
         {"friction_angle_deg", &rock.friction_angle, deg, below_90, "of a bonded element"},
         {"friction_coefficient", &rock.friction, 1.0, between(0.0, 10.0), "of a broken element"},
         {"elements", &rock.elements, 1.0, between(1, max_elements), "elements of a joint"},
@@ -69,18 +73,18 @@ std::vector<base::Section> describe(Rock& rock) {
         {"gapped_fraction", &rock.gapped_fraction, 1.0, between(0.0, 1.0), "of joints not bonded, apart at the start"},
         {"slit_fraction", &rock.slit_fraction, 1.0, between(0.0, 1.0), "of joints not bonded, touching at the start"},
         {"initial_gap_mm", &rock.initial_gap, mm, at_least(0.0), "of gapped joints"},
-        {"residual_cohesion_MPa", &rock.residual_cohesion, MPa, at_least(0.0), "of elements broken in shear"},
+        {"residual_cohesion_MPa", &rock.residual_cohesion, MPa, between(0.0, 1e6), "of elements broken in shear"},
         {"drop_to_residual", &rock.drop_to_residual, 1.0, any(), "shear stress at a shear break: false to zero"}}},
       {"linear_contacts",
-       {{"effective_modulus_GPa", &rock.contact_modulus, GPa, positive(), "E* between loose discs, cutter and walls"},
+       {{"effective_modulus_GPa", &rock.contact_modulus, GPa, solid, "E* between loose discs, cutter and walls"},
         {"stiffness_ratio", &rock.contact_stiffness_ratio, 1.0, stable_ratio, "normal over shear stiffness"},
         {"friction_coefficient", &rock.contact_friction, 1.0, between(0.0, 10.0), "between loose discs"},
         {"damping_ratio", &rock.contact_damping_ratio, 1.0, between(0.0, 1.0), "normal dashpot, share of critical"},
         {"shear_damping_ratio", &rock.contact_shear_damping_ratio, 1.0, between(0.0, 1.0),
          "shear dashpot, share of critical"}}},
       {"packing",
-       {{"effective_modulus_GPa", &rock.packing_modulus, GPa, positive(), "E* while packing"},
-        {"local_damping", &rock.packing_damping, 1.0, damping, "while packing"},
+       {{"effective_modulus_GPa", &rock.packing_modulus, GPa, solid, "E* while packing"},
+        {"local_damping", &rock.packing_damping, 1.0, between(0.05, 0.95), "while packing"},
         {"pressure_MPa", &rock.packing_pressure, MPa, at_least(0.0), "isotropic, by growing all discs; 0: no target"},
         {"equilibrium_ratio", &rock.equilibrium_ratio, 1.0, between(1e-8, 0.1), "unbalanced over contact force"}}},
       {"specimen",

@@ -119,6 +119,19 @@ double energy_residual_fraction(const Energies& start, const Energies& now) {
   return work != 0.0 ? energy_residual(start, now) / work : 0.0;
 }
 
+double last_half_step(const World& world, std::size_t place, int disc1, int disc2) {
+  const ForceSlots& slots = world.slots;
+  if (slots.force_x.size() != 2 * (world.joints.disc1.size() + world.contacts.disc1.size()))
+    return 0.0;  // no force yet
+  const Discs& d = world.discs;
+  const auto power = [&](std::size_t slot, std::size_t i) {
+    return slots.force_x[slot] * d.velocity_x[i] + slots.force_y[slot] * d.velocity_y[i] +
+           slots.moment[slot] * d.spin[i];
+  };
+  return 0.5 * world.step *
+         (power(2 * place, static_cast<std::size_t>(disc1)) + power(2 * place + 1, static_cast<std::size_t>(disc2)));
+}
+
 void book_joint_losses(World& world, const std::vector<char>& stays) {
   if (!world.measure_energy) return;
   for (std::size_t j = 0; j < stays.size(); ++j) {
@@ -152,10 +165,16 @@ void book_lost_discs(World& world, const std::vector<char>& discs_stay, const st
       if (i < boundary.spring.size()) world.energy.removed += boundary_energy(world, boundary, i);
     }
   }
-  for (std::size_t j = 0; j < joints_stay.size(); ++j)
-    if (joints_stay[j] == 0) world.energy.removed += joint_energy(world, j);
-  for (std::size_t c = 0; c < contacts_stay.size(); ++c)
-    if (contacts_stay[c] == 0) world.energy.removed += contact_energy(world, c);
+  for (std::size_t j = 0; j < joints_stay.size(); ++j) {
+    if (joints_stay[j] != 0) continue;
+    world.energy.removed +=
+        joint_energy(world, j) + last_half_step(world, j, world.joints.disc1[j], world.joints.disc2[j]);
+  }
+  for (std::size_t c = 0; c < contacts_stay.size(); ++c) {
+    if (contacts_stay[c] != 0) continue;
+    world.energy.removed += contact_energy(world, c) + last_half_step(world, joints_stay.size() + c,
+                                                                      world.contacts.disc1[c], world.contacts.disc2[c]);
+  }
   book_joint_losses(world, joints_stay);
   book_contact_losses(world);
 }

@@ -9,13 +9,16 @@
 ///         residual
 ///
 /// Kinetic energy comes from masses and velocities, strain energy from positions and stresses, losses from force times
-/// slip or velocity; only the last two are found by difference, each within one step of one contact: what a break
+/// slip or velocity; breaking and switching are found by difference, each within one step of one contact: what a break
 /// releases, and **switching**, what the scheme itself gains or loses when a spring closes or opens somewhere within a
 /// step. (A spring k that closes at speed v takes k u v dt / 2 from the motion and holds k u^2 / 2, u being the overlap
 /// at the end of the step; on average it swallows k (v dt)^2 / 12, and gives as much when it opens at the same speed.
 /// Contacts with dashpots open slower than they close, so in a cut it is a small loss, of second order in dt.)
-/// The residual is therefore a check of the whole engine: what is left in it is rounding and the turning of contacts
-/// within a step.
+/// The residual checks motion, strain of bonded joints and closed contacts, friction, dashpots, damping and the work of
+/// boundaries against each other. It cannot see an error in the strain energy of an element that is partly open,
+/// because that cancels against switching: switching must be small by itself (it is tested against k (v dt)^2 / 12).
+/// What is left in the residual is rounding, the turning of contacts within a step, and what the half step does at the
+/// instant a joint ends or a disc leaves.
 ///
 /// **Leap-frog.** Velocities live half a step from positions, so energies must not simply be added. Over the interval
 /// from t to t + dt the discs move by v dt, v = v(t + dt/2), and the scheme gives exactly
@@ -67,6 +70,10 @@ JointPosition joint_position(const World& world, std::size_t joint);
 
 /// Elastic energy in a joint [J/m].
 double joint_energy(const World& world, std::size_t joint);
+
+/// Half a step's work of the last force of a joint or contact on its two discs [J/m]: `place` counts joints, then
+/// contacts. What ends between two instants has worked over half a step less than the leap-frog books assume.
+double last_half_step(const World& world, std::size_t place, int disc1, int disc2);
 
 // What leaves the lists hands its losses to `World::energy` first; `stays` has one flag an entry.
 void book_joint_losses(World& world, const std::vector<char>& stays);

@@ -47,13 +47,13 @@ CellGrid sort_into_cells(const Discs& discs, double reach) {
 
 }  // namespace
 
-Pairs pairs_within(const Discs& discs, double gap) {
+Pairs pairs_within(const Discs& discs, double gap, std::size_t most) {
   Pairs pairs;
   if (discs.x.empty()) return pairs;
   const double largest = *std::max_element(discs.radius.begin(), discs.radius.end());
   const CellGrid grid = sort_into_cells(discs, 2.0 * largest + gap);
   std::vector<int> found;
-  for (int i = 0; i < discs.count(); ++i) {
+  for (int i = 0; i < discs.count() && pairs.disc1.size() <= most; ++i) {
     const auto a = static_cast<std::size_t>(i);
     found.clear();
     const int column = grid.column(discs.x[a]), row = grid.row(discs.y[a]);

@@ -76,7 +76,8 @@ void end_finished_joints(World& world) {
     if (!joint_is_over(world, joint)) continue;
     stays[joint] = 0;
     any_over = true;
-    world.energy.injected += successor_energy(world, joint) - joint_energy(world, joint);
+    world.energy.injected += successor_energy(world, joint) - joint_energy(world, joint) -
+                             last_half_step(world, joint, world.joints.disc1[joint], world.joints.disc2[joint]);
   }
   if (!any_over) return;
   book_joint_losses(world, stays);

@@ -87,6 +87,39 @@ TEST_F(Calibrate, StoppedItGoesOnAndEndsAlike) {
   EXPECT_EQ(a["history"], b["history"]);
 }
 
+TEST_F(Calibrate, TheResultIsKeptBeforeFreshSpecimensAreTested) {
+  const std::string file = target("youngs_modulus_GPa = 3\n");
+  const pid_t child = program::start({"calibrate", file, "-o", path("rock.toml"), "--json", path("c.json"), "--quiet",
+                                      "--validate-seeds", "101:900", "--threads", "1"});
+  for (int wait = 0; wait < 3000 && !fs::exists(path("c.json")); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  ::kill(child, SIGINT);  // long before 800 specimens are done
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(program::json(path("c.json"))["status"], "reached");
+  EXPECT_EQ(run("specimen " + path("rock.toml") + " --check").status, 0);
+}
+
+TEST_F(Calibrate, AJournalInUseIsRefused) {
+  const std::string file = target("ucs_MPa = 60\n", "seeds = 200\nscouting_seeds = 200\n");
+  const std::string journal = " --journal " + path("j.csv");
+  const pid_t child = program::start(
+      {"calibrate", file, "-o", path("a.toml"), "--journal", path("j.csv"), "--quiet", "--threads", "1"});
+  for (int wait = 0; wait < 3000 && !fs::exists(path("j.csv.lock")); ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  const auto second = run("calibrate " + file + " -o " + path("b.toml") + journal);
+  const auto plan = run("calibrate " + file + " -o " + path("b.toml") + journal + " --check");
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(second.status, 2) << second.text;
+  EXPECT_NE(second.text.find("j.csv is used by another program"), std::string::npos) << second.text;
+  EXPECT_EQ(plan.status, 2) << plan.text;
+  EXPECT_EQ(run("calibrate " + file + " -o " + path("b.toml") + journal + " --check").status, 0);
+}
+
 TEST_F(Calibrate, WrongInputAndThePlan) {
   const auto expect = [](const std::string& arguments, int wanted, const std::string& words) {
     const auto outcome = run("calibrate " + arguments);
@@ -100,10 +133,20 @@ TEST_F(Calibrate, WrongInputAndThePlan) {
   const std::string good = target("ucs_MPa = 60\n");
   expect(good + " --validate-seeds 2:5", 2, "seeds 1 to 2 are those of the calibration");
   expect(good + " --validate-seeds 5", 2, "write first:last");
+  expect(good + " --validate-seeds ''", 2, "write first:last");
   expect(good + " -o " + good, 2, "would be overwritten");
   expect(good + " -o " + path("start.toml"), 2, "would be overwritten");
   base::write_whole(path("j.csv"), "a,b\n1,2\n");
   expect(good + " -o " + path("r.toml") + " --journal " + path("j.csv"), 2, "not a journal");
+  // --check refuses what the run refuses
+  expect(good + " --check -o " + good, 2, "would be overwritten");
+  expect(good + " --check -o " + path("r.toml") + " --journal " + path("j.csv"), 2, "not a journal");
+  std::string start = base::read_whole(path("start.toml"));
+  target("youngs_modulus_GPa = 3\n");
+  start.replace(start.find("height_mm = 40"), 14, "height_mm = 16");
+  base::write_whole(path("start.toml"), start);  // tall enough for its discs, but not for the grips
+  expect(good + " --check", 2, "start.toml: grip height");
+  target("ucs_MPa = 60\n");  // the core of 40 mm again
   expect(good + " --check --json " + path("plan.json"), 0, "evaluations (at most 16)");
   EXPECT_GT(program::json(path("plan.json"))["expected_minutes"].get<double>(), 0.0);
   EXPECT_FALSE(fs::exists("rock.toml"));

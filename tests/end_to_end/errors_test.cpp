@@ -8,7 +8,7 @@ namespace {
 using program::run;
 namespace fs = std::filesystem;
 
-const std::string rock = BITROCK_SOURCE_DIR "/campaigns/rocks/article.toml";
+const std::string rock = BITROCK_SOURCE_DIR "/campaigns/rocks/start.toml";
 const std::string example = BITROCK_SOURCE_DIR "/campaigns/cuts/example.toml";
 const std::string bit = BITROCK_SOURCE_DIR "/campaigns/bits/pdc15.toml";
 

@@ -27,7 +27,9 @@ dem2d::Specimen small_bed(int threads = 1) {
 }
 
 TEST(Genesis, PacksDenseAndConnected) {
-  const dem2d::Specimen bed = small_bed();
+  dem2d::CutCase cut = small_cut();
+  cut.rock.packing_pressure = 30e6;
+  const dem2d::Specimen bed = dem2d::make_specimen(cut.rock, cut.bed_length, cut.bed_height, 3, 1);
   EXPECT_LE(bed.equilibrium_ratio, 1e-4);
   EXPECT_GT(dem2d::coordination_number(bed), 4.0);
   EXPECT_LT(dem2d::coordination_number(bed), 6.0);

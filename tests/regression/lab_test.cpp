@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
+#include "base/stop.hpp"
 #include "dem2d/lab/lab_picture.hpp"
 #include "dem2d/lab/load_frame.hpp"
 #include "dem2d/lab/loading_rate.hpp"
@@ -23,7 +27,7 @@ dem2d::LabSettings settings_of(const dem2d::Specimen& specimen) {
 
 dem2d::LabRun test_core(LabTest test, std::uint64_t seed = 1) {
   const dem2d::Specimen core =
-      test == LabTest::brazilian ? lab_specimens::coarse_core(seed, 30e-3, 30e-3) : lab_specimens::coarse_core(seed);
+      test == LabTest::brazilian ? lab_specimens::coarse_core(seed, 40e-3, 40e-3) : lab_specimens::coarse_core(seed);
   return dem2d::run_lab_test(test, core, settings_of(core));
 }
 
@@ -69,18 +73,17 @@ TEST(LabTest, CompressionIsManyTimesStrongerThanTension) {
   const dem2d::LabRun ucs = test_core(LabTest::ucs), tension = test_core(LabTest::tension);
   const dem2d::Rock rock = lab_specimens::coarse_rock();
   // A row of joints cannot carry more than each of them, and a crack begins where one is overloaded by its neighbours.
-  EXPECT_LT(tension.peak_stress, rock.tensile_strength);
-  EXPECT_GT(tension.peak_stress, 0.3 * rock.tensile_strength);
-  EXPECT_GT(ucs.peak_stress, 4.0 * tension.peak_stress);
+  // Of 30 seeds: 0.54 to 0.80 of a joint's strength.
+  EXPECT_NEAR(tension.peak_stress / rock.tensile_strength, 0.67, 0.15);
+  EXPECT_NEAR(ucs.peak_stress / tension.peak_stress, 8.0, 3.0);  // of four seeds: 6.0 to 10.3
   EXPECT_EQ(tension.cracks_shear, 0);
   EXPECT_GT(ucs.cracks_tensile, ucs.cracks_shear) << "axial splitting";
-  EXPECT_LT(ucs.crack_initiation_stress, 0.8 * ucs.peak_stress);
-  EXPECT_GT(tension.crack_initiation_stress, 0.7 * tension.peak_stress);
-  // one rock: the same modulus whether pulled or pressed, but for the cracks and large strains of compression
-  EXPECT_NEAR(ucs.youngs_modulus / tension.youngs_modulus, 1.0, 0.1);
+  EXPECT_NEAR(ucs.crack_initiation_stress / ucs.peak_stress, 0.5, 0.15);
+  EXPECT_GT(tension.crack_initiation_stress, 0.95 * tension.peak_stress);
+  // one rock: the same modulus whether pulled or pressed, but for the cracks and large strains of compression: 1 %
+  EXPECT_NEAR(ucs.youngs_modulus / tension.youngs_modulus, 1.0, 0.02);
   for (const dem2d::LabRun* run : {&ucs, &tension}) {
-    EXPECT_GT(run->poissons_ratio, 0.05);
-    EXPECT_LT(run->poissons_ratio, 0.4);
+    EXPECT_NEAR(run->poissons_ratio, 0.21, 0.03);  // of four seeds: 0.18 to 0.23
     EXPECT_EQ(run->curve.back().cracks_tensile, run->cracks_tensile);
     EXPECT_EQ(static_cast<int>(run->cracks.size()), run->cracks_tensile + run->cracks_shear);
     EXPECT_LE(run->curve.back().stress, 0.8 * run->peak_stress);
@@ -89,27 +92,37 @@ TEST(LabTest, CompressionIsManyTimesStrongerThanTension) {
 }
 
 TEST(LabTest, TheTwoEndsFeelTheSameForce) {
-  // quasi-static: what is pressed in at one end comes out at the other; waves of breaking make the difference
+  // quasi-static: what is pressed in at one end comes out at the other; waves of breaking make the difference: 5e-4
+  // in cores, 5e-3 in the disc, whose grains at the platens break early
   for (const LabTest test : {LabTest::ucs, LabTest::tension, LabTest::brazilian}) {
-    EXPECT_LT(test_core(test).imbalance, 0.02) << dem2d::name_of(test);
+    EXPECT_LT(test_core(test).imbalance, test == LabTest::brazilian ? 8e-3 : 2e-3) << dem2d::name_of(test);
   }
 }
 
 TEST(LabTest, TensionBreaksBetweenTheGrips) {
-  for (const std::uint64_t seed : {1, 2}) {
+  // Fractures fall anywhere between the grips: of 30 seeds 5 run within one largest diameter of a grip, where an eighth
+  // of the length lies (seed 1 is one of them). If grips weakened the core, all would run there, as these three do not.
+  for (const std::uint64_t seed : {2, 3, 4}) {
     const dem2d::LabRun run = test_core(LabTest::tension, seed);
-    EXPECT_GT(run.fracture_height, 0.05);
-    EXPECT_LT(run.fracture_height, 0.95);
+    const double two_grains = 4.0 * lab_specimens::coarse_rock().radius_max;
+    const auto near_grip = [&run, two_grains](const dem2d::Crack& crack) {
+      return crack.y < run.last.low + two_grains || crack.y > run.last.high - two_grains;
+    };
+    EXPECT_LE(std::count_if(run.cracks.begin(), run.cracks.end(), near_grip), std::ssize(run.cracks) / 5) << seed;
   }
 }
 
 TEST(LabTest, BrazilianStrengthIsNearTheTensileStrength) {
-  const dem2d::LabRun disc = test_core(LabTest::brazilian);
-  const double tension = test_core(LabTest::tension).peak_stress;
-  EXPECT_GT(disc.peak_stress, 0.4 * tension);
-  EXPECT_LT(disc.peak_stress, 2.0 * tension);
-  EXPECT_TRUE(std::isnan(disc.youngs_modulus));
-  EXPECT_TRUE(std::isnan(disc.poissons_ratio));
+  // means of four seeds: 6.5 MPa of discs 16 grains across, 6.7 MPa of cores
+  double discs = 0.0, cores = 0.0;
+  for (const std::uint64_t seed : {1, 2}) {
+    const dem2d::LabRun disc = test_core(LabTest::brazilian, seed);
+    discs += disc.peak_stress;
+    cores += test_core(LabTest::tension, seed).peak_stress;
+    EXPECT_TRUE(std::isnan(disc.youngs_modulus));
+    EXPECT_TRUE(std::isnan(disc.poissons_ratio));
+  }
+  EXPECT_NEAR(discs / cores, 1.0, 0.2);
 }
 
 TEST(LabTest, AMirroredCoreGivesTheMirroredAnswer) {
@@ -170,6 +183,52 @@ TEST(LabTest, ARockThatDoesNotBreakIsGivenUpInWords) {
       EXPECT_NE(std::string(error.what()).find("no strength found up to a strain of 0.04"), std::string::npos)
           << error.what();
     }
+  }
+}
+
+TEST(LabTest, ACoreMayPartAlongJointsThatWereNeverBonded) {
+  // Half of the joints are slit. Half the grains across the core are 4: seed 2 parts with so many breaks, seed 1 with
+  // 2, so that it is known by the stress that stays away.
+  dem2d::Rock rock = lab_specimens::coarse_rock();
+  rock.installation_gap = 0.05e-3;
+  rock.slit_fraction = 0.5;
+  for (const std::uint64_t seed : {1, 2}) {
+    const dem2d::Specimen core = dem2d::make_specimen(rock, 24e-3, 48e-3, seed, 1);
+    const dem2d::LabRun run = dem2d::run_lab_test(LabTest::tension, core, settings_of(core));
+    EXPECT_GT(run.peak_stress, 0.0);
+    EXPECT_LT(run.peak_stress, 0.5 * rock.tensile_strength) << "half of the joints carry";
+    EXPECT_EQ(run.cracks_tensile, seed == 1 ? 2 : 4);
+    EXPECT_LE(run.curve.back().stress, (seed == 1 ? 0.1 : 0.8) * run.peak_stress);
+  }
+}
+
+TEST(LabTest, ARockTooWeakToCarryAnythingFails) {
+  dem2d::Specimen core = lab_specimens::coarse_core(1);
+  core.rock.cohesion = 1e-300;  // all joints slide at once, and what is felt at the ends is rounding
+  EXPECT_THROW(dem2d::run_lab_test(LabTest::tension, core, settings_of(core)), base::SimulationError);
+}
+
+TEST(LabTest, StopsBetweenTwoPointsOfTheCurve) {
+  const dem2d::Specimen core = lab_specimens::coarse_core(1);
+  dem2d::LabSettings settings = settings_of(core);
+  settings.largest_strain = dem2d::expected_strain(LabTest::tension, core.rock);
+  // 4e8 steps in all, 8e5 from point to point: 10 s and more
+  settings.strain_rate = settings.largest_strain / (4e8 * dem2d::expected_step(core.rock));
+  const auto started = std::chrono::steady_clock::now();
+  base::stop_requested() = true;
+  EXPECT_THROW(dem2d::run_lab_test(LabTest::tension, core, settings), base::Interrupted);
+  base::stop_requested() = false;
+  EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(3));
+}
+
+TEST(LabTest, EndlessTestsAreRefusedBeforeAnythingIsBuilt) {
+  const dem2d::Rock rock = lab_specimens::coarse_rock();
+  dem2d::LabSettings settings;
+  for (const LabTest test : {LabTest::ucs, LabTest::tension, LabTest::brazilian}) {
+    settings.strain_rate = 0.0;
+    EXPECT_NO_THROW(dem2d::check_lab_settings(test, rock, settings, "rock"));
+    settings.strain_rate = 1e-300;
+    EXPECT_THROW(dem2d::check_lab_settings(test, rock, settings, "rock"), base::InputError);
   }
 }
 

@@ -1,6 +1,8 @@
 // The files of a calibration: target, journal, calibrated rock.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -101,6 +103,60 @@ TEST(Micro, UnchangedLeavesEveryCompanionBitForBit) {
   EXPECT_EQ(same.residual_cohesion, rock.residual_cohesion);
 }
 
+/// What a reader says of this rock's file.
+std::string rock_message(dem2d::Rock rock) {
+  try {
+    dem2d::parse_rock(base::to_toml(dem2d::describe(rock)), "rock.toml");
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Micro, WhatBelongsToAParameterStaysWithinTheRangesOfARockFile) {
+  using enum dem2d::MicroParameter;
+  dem2d::Rock rock;
+  rock.cohesion_deviation = 0.5 * rock.cohesion;
+  rock.tensile_strength_deviation = 0.5 * rock.tensile_strength;
+  rock.joint_stiffness_ratio = 10.0;
+  rock.contact_stiffness_ratio = 0.5;
+  rock.friction = 0.5;
+  rock.contact_friction = 5.0;
+  dem2d::Micro micro = dem2d::micro_of(rock);
+  micro[dem2d::index_of(cohesion)] = 56.73e6;
+  micro[dem2d::index_of(stiffness_ratio)] = 2.963;
+  micro[dem2d::index_of(friction)] = 2.0;
+  const dem2d::Rock changed = dem2d::with_micro(rock, micro);
+  EXPECT_DOUBLE_EQ(changed.cohesion_deviation, 28.36e6);  // half is 28.365, to four digits 28.37
+  EXPECT_EQ(changed.contact_stiffness_ratio, 0.3);        // in proportion 0.148
+  EXPECT_EQ(changed.contact_friction, 10.0);              // in proportion 20
+  EXPECT_EQ(rock_message(changed), "accepted");
+
+  for (int digits = 1000; digits < 10000; digits += 7) {
+    micro[dem2d::index_of(cohesion)] = dem2d::rounded(cohesion, digits * 1e4);
+    micro[dem2d::index_of(tensile_strength)] = dem2d::rounded(tensile_strength, digits * 1e3);
+    micro[dem2d::index_of(stiffness_ratio)] = dem2d::rounded(stiffness_ratio, 1.0 + digits * 9e-4);
+    ASSERT_EQ(rock_message(dem2d::with_micro(rock, micro)), "accepted");
+  }
+  rock.joint_stiffness_ratio = 0.3;
+  rock.contact_stiffness_ratio = 900.0;
+  rock.contact_modulus = 9e14;  // 9e5 GPa
+  micro[dem2d::index_of(effective_modulus)] *= 3.0;
+  EXPECT_EQ(dem2d::with_micro(rock, micro).contact_stiffness_ratio, 1000.0);
+  EXPECT_EQ(rock_message(dem2d::with_micro(rock, micro)), "accepted");
+}
+
+TEST(Micro, NothingHasAProportionToZeroFriction) {
+  dem2d::Rock rock;
+  rock.friction = 0.0;
+  rock.contact_friction = 0.4;
+  dem2d::Micro micro = dem2d::micro_of(rock);
+  micro[dem2d::index_of(dem2d::MicroParameter::friction)] = 0.1;
+  const dem2d::Rock changed = dem2d::with_micro(rock, micro);
+  EXPECT_EQ(changed.friction, 0.1);
+  EXPECT_EQ(changed.contact_friction, 0.4);
+}
+
 TEST(Micro, RoundedHasFourDigitsInFileUnits) {
   using enum dem2d::MicroParameter;
   EXPECT_DOUBLE_EQ(dem2d::rounded(effective_modulus, 1.234567e9), 1.235e9);
@@ -155,6 +211,27 @@ TEST(CalibratedRock, AMissedTargetSaysSoInTheFileAndInTheName) {
   EXPECT_NE(dem2d::parse_rock(text, "rock.toml").name.find("not reached"), std::string::npos);
 }
 
+TEST(CalibratedRock, NoNameAndNoCommandMakesTheFileUnreadable) {
+  Ended ended;
+  ended.target.name =
+      "a\x7f"
+      "b\tWei\xc3\x9f \xe2\x82\xac \xf0\x9f\xaa\xa8";  // delete, tab; sharp s, euro, rock
+  // Latin-1; too long a form of '/'; half of a pair; above the last letter; cut off
+  const std::string command =
+      "x -o r\xf6"
+      "ck\n \xc0\xaf \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82";
+  const std::string text = dem2d::calibrated_rock_toml(ended.target, ended.calibration, command);
+  EXPECT_EQ(dem2d::parse_rock(text, "rock.toml").name, ended.target.name);
+  EXPECT_NE(text.find("# a b Wei\xc3\x9f \xe2\x82\xac \xf0\x9f\xaa\xa8, made by"), std::string::npos) << text;
+  EXPECT_NE(text.find("#   x -o r?ck  ?? ??? ???? ??\n"), std::string::npos) << text;
+}
+
+TEST(CalibratedRock, ARockThatNoCommandCouldReadIsNotWritten) {
+  Ended ended;
+  ended.calibration.best.micro[dem2d::index_of(dem2d::MicroParameter::cohesion)] = -1.0;
+  EXPECT_THROW(dem2d::calibrated_rock_toml(ended.target, ended.calibration, "x"), base::SimulationError);
+}
+
 TEST(Journal, FindsOnlyWhatWasTestedUnderTheSameInputs) {
   const scratch::Folder dir("journal");
   const dem2d::TestRecord record{.test = dem2d::LabTest::tension,
@@ -192,6 +269,69 @@ TEST(Journal, RefusesAFileThatIsNone) {
   const scratch::Folder dir("journal_none");
   base::write_whole(dir / "j.csv", "a,b\n1,2\n");
   EXPECT_THROW(dem2d::Journal(dir / "j.csv", "x"), base::InputError);
+}
+
+std::string journal_message(const std::filesystem::path& path) {
+  try {
+    const dem2d::Journal journal(path, "x");
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+const std::string journal_head =
+    "inputs,test,seed,effective_modulus_Pa,stiffness_ratio,tensile_strength_Pa,cohesion_Pa,friction,peak_stress_Pa,"
+    "youngs_modulus_Pa,poissons_ratio,wall_s\n";
+
+TEST(Journal, WithoutRowsIsNew) {
+  const scratch::Folder dir("journal_new");
+  const dem2d::TestRecord record{.seed = 1, .micro = {1, 2, 3, 4, 5}, .peak_stress = 1.0, .youngs_modulus = 1.0};
+  for (const std::string& text : {std::string(), std::string("\n"), journal_head}) {
+    base::write_whole(dir / "j.csv", text);
+    dem2d::Journal journal(dir / "j.csv", "x");
+    journal.add(record);
+    EXPECT_TRUE(journal.find(record.test, 1, record.micro));
+  }
+  base::write_whole(dir / "j.csv", "a,b\n");
+  EXPECT_NE(journal_message(dir / "j.csv"), "accepted");
+}
+
+TEST(Journal, RefusesARowThatNoTestCanHaveGiven) {
+  const scratch::Folder dir("journal_rows");
+  const std::string good = "5,1,3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n";
+  const auto message = [&](const std::string& row) {
+    base::write_whole(dir / "j.csv", journal_head + good + row);
+    return journal_message(dir / "j.csv");
+  };
+  EXPECT_EQ(message("5,0,2147483647,1e9,2.5,1e7,5e7,0,6e6,1e9,-0.2,1\n"), "accepted");
+  for (const char* test : {"7", "0.5", "1e300", "-1", "2"}) {
+    EXPECT_NE(message(std::string("5,") + test + ",3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n").find("j.csv:3: test = "),
+              std::string::npos);
+  }
+  for (const char* seed : {"2.7", "-1", "2147483648"}) {
+    EXPECT_NE(message(std::string("5,1,") + seed + ",1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n").find("j.csv:3: seed = "),
+              std::string::npos);
+  }
+  EXPECT_NE(message("5,1,3,1e9,2.5,1e7,5e7,0.5,-6e6,1e9,0.2,1\n").find("j.csv:3: peak_stress_Pa = -6000000"),
+            std::string::npos);
+  EXPECT_NE(message("5,1,3,1e9,2.5,1e7,5e7,0.5,6e6,0,0.2,1\n").find("j.csv:3: youngs_modulus_Pa = 0"),
+            std::string::npos);
+}
+
+TEST(Journal, IsUsedByOneCalibrationAtATime) {
+  // the second would erase the rows of the first, because each writes the whole file from its own memory
+  const scratch::Folder dir("journal_lock");
+  {
+    const dem2d::Journal first(dir / "j.csv", "x");
+    EXPECT_NE(journal_message(dir / "j.csv").find("j.csv is used by another program"), std::string::npos);
+    EXPECT_EQ(journal_message(dir / "other.csv"), "accepted");
+    EXPECT_NE(journal_message(dir / "j.csv"), "accepted");  // a refused one frees nothing
+  }
+  EXPECT_EQ(journal_message(dir / "j.csv"), "accepted");
+  EXPECT_TRUE(std::filesystem::is_empty(dir / "."));  // the lock is removed
+  base::write_whole(dir / "j.csv.lock", "");          // left by a program that was killed
+  EXPECT_EQ(journal_message(dir / "j.csv"), "accepted");
 }
 
 /// A core of some 90 coarse discs: a test takes hundredths of a second.

@@ -237,6 +237,25 @@ TEST(CalibrationSearch, FrictionHelpsWhereCohesionIsAtItsLimit) {
   EXPECT_LE(worst(with, target, found.best.micro), 1.0);
 }
 
+TEST(CalibrationSearch, FrictionThatHelpsMayStartFromNone) {
+  auto target = article();
+  target.start.friction = 0.0;
+  target.wanted[dem2d::index_of(Property::ucs)] = 11.0 * 7.1e6;
+  ModelRock rock{.saturation = 13.0};
+  const auto found = dem2d::calibrate(target, {.friction = true}, [&](Micro micro, int seeds) {
+    const double friction = micro[4];
+    micro[4] = std::max(friction, 0.05);  // the formula has no strength without friction; a rock has some
+    dem2d::Evaluation made = rock.evaluate(micro, seeds);
+    made.micro[4] = friction;
+    return made;
+  });
+  EXPECT_EQ(found.end, SearchEnd::reached);
+  EXPECT_NEAR(found.best.micro[4], 0.577 * std::pow(11.0 / 13.0, 10.0), 0.02);  // UCS goes with its tenth root
+  bool at_least = false;  // a zero has no logarithm: the search for friction begins at the least allowed
+  for (const auto& evaluation : found.evaluations) at_least = at_least || evaluation.micro[4] == 0.05;
+  EXPECT_TRUE(at_least);
+}
+
 TEST(CalibrationSearch, TheBudgetIsKept) {
   ModelRock rock{.curvature = 0.1};
   auto target = article();
@@ -262,9 +281,29 @@ TEST(CalibrationSearch, AStepIntoARockThatCannotBeTestedIsTakenBack) {
   EXPECT_EQ(found.end, SearchEnd::reached);
   ASSERT_EQ(found.failures.size(), 1u);
   EXPECT_EQ(found.failures[0], "it did not break");
-  EXPECT_THROW(dem2d::calibrate(target, {},
-                                [](const Micro&, int) -> dem2d::Evaluation { throw base::SimulationError("never"); }),
-               base::SimulationError);
+  EXPECT_EQ(found.evaluations[1].failure, "it did not break");
+  EXPECT_EQ(found.evaluations[0].failure, "");
+}
+
+TEST(CalibrationSearch, AStartThatCannotBeTestedSaysWhyAndWhatToChange) {
+  const auto message = [](const dem2d::CalibrationTarget& target, int seeds_that_fail) -> std::string {
+    ModelRock rock;
+    try {
+      dem2d::calibrate(target, {}, [&](const Micro& micro, int seeds) {
+        if (seeds == seeds_that_fail) throw base::SimulationError("it did not break");
+        return rock.evaluate(micro, seeds);
+      });
+    } catch (const base::SimulationError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  auto target = article();
+  EXPECT_EQ(message(target, 1).find("the start rock could not be tested: it did not break (choose another start.rock"),
+            0u);
+  target.settings = {.seeds = 12, .scouting_seeds = 4};
+  EXPECT_EQ(message(target, 12).find("the micro-parameters found so far could not be tested on 12 specimens: it did"),
+            0u);
 }
 
 }  // namespace

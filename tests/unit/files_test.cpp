@@ -34,6 +34,16 @@ TEST(Files, MissingFolderAndMissingFile) {
   EXPECT_NO_THROW(base::require_writable(folder / "new/file"));
 }
 
+TEST(Files, ALinkStaysALinkAndItsTargetIsWritten) {
+  const scratch::Folder folder("links");
+  base::write_whole(folder / "target", "old");
+  std::filesystem::create_symlink(folder / "target", folder / "link");
+  base::require_writable(folder / "link");
+  base::write_whole(folder / "link", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(base::read_whole(folder / "target"), "new");
+}
+
 TEST(Files, AnOutputMustBeNeitherInputNorAnotherOutput) {
   EXPECT_NO_THROW(base::refuse_overwriting({"a", ""}, {"b", "", "/dev/null", "/dev/null"}));
   EXPECT_THROW(base::refuse_overwriting({"a"}, {"./x/../a"}), base::InputError);

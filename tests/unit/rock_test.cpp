@@ -21,19 +21,29 @@ std::string with(std::string text, const std::string& from, const std::string& t
 
 std::string rock_message(const std::string& from, const std::string& to) {
   try {
-    dem2d::parse_rock(with(base::read_whole(source + "/campaigns/rocks/article.toml"), from, to), "rock.toml");
+    dem2d::parse_rock(with(base::read_whole(source + "/campaigns/rocks/start.toml"), from, to), "rock.toml");
   } catch (const base::InputError& error) {
     return error.what();
   }
   return "accepted";
 }
 
-TEST(RockFile, TheArticleRockReads) {
-  const auto rock = dem2d::read_rock(source + "/campaigns/rocks/article.toml");
+TEST(RockFile, TheStartRockReads) {
+  const auto rock = dem2d::read_rock(source + "/campaigns/rocks/start.toml");
   EXPECT_DOUBLE_EQ(rock.radius_min, 0.5e-3);
   EXPECT_DOUBLE_EQ(rock.joint_modulus, 1.5e9);
   EXPECT_DOUBLE_EQ(rock.cohesion, 50e6);
+  EXPECT_DOUBLE_EQ(rock.cohesion_deviation, 12.5e6);
+  EXPECT_DOUBLE_EQ(rock.packing_pressure, 60e6);
   EXPECT_EQ(rock.elements, 2);
+  EXPECT_FALSE(rock.drop_to_residual);
+}
+
+TEST(RockFile, TheShippedRocksRead) {
+  for (const char* name : {"article", "start_granite"}) {
+    const auto rock = dem2d::read_rock(source + "/campaigns/rocks/" + name + ".toml");
+    EXPECT_EQ(rock.name.find("NOT REACHED"), std::string::npos) << name;
+  }
 }
 
 TEST(RockFile, RefusesWhatARockCannotBe) {
@@ -46,6 +56,15 @@ TEST(RockFile, RefusesWhatARockCannotBe) {
             std::string::npos);
   EXPECT_NE(rock_message("cohesion_MPa = 50", "cohesion_MPa = \"strong\"").find("must be a number"), std::string::npos);
   EXPECT_NE(rock_message("cohesion_MPa = 50", "cohesoin_MPa = 50").find("missing"), std::string::npos);
+  EXPECT_NE(rock_message("cohesion_deviation_MPa = 12.5", "cohesion_deviation_MPa = 26").find("at most half"),
+            std::string::npos);
+  EXPECT_NE(rock_message("elements = 2", "elements = 2\ngapped_fraction = 0.2").find("needs initial_gap_mm > 0"),
+            std::string::npos);
+  EXPECT_NE(
+      rock_message("elements = 2", "elements = 2\nslit_fraction = 0.7\ngapped_fraction = 0.4\ninitial_gap_mm = 0.01")
+          .find("must be at most 1"),
+      std::string::npos);
+  EXPECT_NE(rock_message("stiffness_ratio = 2.5", "stiffness_ratio = 0.2").find("at least 0.3"), std::string::npos);
 }
 
 dem2d::CutCase example() {
