@@ -72,7 +72,9 @@ std::string advice(const CalibrationTarget& target, const Calibration& calibrati
     if (!is_wanted(target, property) || is_met(target, property, measured)) continue;
     const bool more = measured.mean < target.wanted[index_of(property)];
     if (property == Property::ucs) {
-      return more ? "a larger strength ratio needs fewer elements a joint (flat_joints.elements) in the start rock"
+      return more ? "a larger strength ratio needs more scatter of the strengths "
+                    "(flat_joints.*_deviation_MPa), a denser packing (packing.pressure_MPa) or fewer elements a joint "
+                    "(flat_joints.elements) in the start rock"
                   : "a smaller strength ratio needs more elements a joint (flat_joints.elements) in the start rock";
     }
     if (property == Property::poissons_ratio) {

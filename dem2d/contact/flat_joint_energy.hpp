@@ -5,14 +5,20 @@
 /// **Equation.** Stored, over the bonded or closed part of the element, and lost in a step from state 0 to state 1:
 ///
 ///     U = integral of kn g^2 / 2 dr + L tau^2 / (2 ks)
-///     friction  = L (tau_0 + tau_1)/2 (ds - (tau_1 - tau_0)/ks)          an element that was unbonded before: mean
-///                                                                        shear stress times the slip
-///     switching = W_n - (U_1 - U_0)_n                                    an unbonded element that opens or closes,
-///     wholly
-///                                                                        or in part: its normal work less its change
-///                                                                        of energy (step/energy.hpp)
-///     breaking  = U_0 + W - U_1                                          an element that breaks in this step
-///     W = (N_0 + N_1)/2 dg + (m_0 + m_1)/2 dk + L (tau_0 + tau_1)/2 ds   work of the two discs on the element
+///
+/// - an element that was unbonded before: mean shear stress times slip,
+///
+///       friction = L (tau_0 + tau_1)/2 (ds - (tau_1 - tau_0)/ks)
+///
+///   and where it opens or closes, wholly or in part, its normal work less its change of energy (step/energy.hpp),
+///
+///       switching = W_n - (U_1 - U_0)_n
+///
+/// - an element that breaks in this step: what it held and was given, less what it holds after,
+///
+///       breaking = U_0 + W - U_1
+///
+///     W = W_n + L (tau_0 + tau_1)/2 ds     W_n = (N_0 + N_1)/2 dg + (m_0 + m_1)/2 dk     work of the discs on it
 ///
 /// with g the gap at the element's middle and k = (g_b - g_a)/L its slope. The mean of the forces before and after is
 /// what the leap-frog scheme makes the discs feel over a step (step/energy.hpp), so the books balance to the last step.
