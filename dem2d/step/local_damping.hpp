@@ -8,9 +8,8 @@ namespace dem2d {
 
 /// What is taken off the force, in its unit.
 inline double local_damping(double force, double velocity, double alpha) {
-  const double loss = alpha * std::fabs(force);
-  if (velocity > 0.0) return loss;
-  return velocity < 0.0 ? -loss : 0.0;
+  const double loss = std::copysign(alpha * std::fabs(force), velocity);  // no branch: the sign is hard to predict
+  return velocity != 0.0 ? loss : 0.0;
 }
 
 }  // namespace dem2d

@@ -205,7 +205,7 @@ TEST(CalibratedRock, AMissedTargetSaysSoInTheFileAndInTheName) {
   ended.calibration.best.measured[dem2d::index_of(Property::ucs)].mean = 30e6;
   const std::string text = dem2d::calibrated_rock_toml(ended.target, ended.calibration, "bitrock calibrate x");
   EXPECT_NE(text.find("# NOT REACHED: out of reach of this model; stiffness ratio 10 is the largest allowed; a larger "
-                      "fewer elements a joint"),
+                      "strength ratio needs more scatter of the strengths"),
             std::string::npos)
       << text;
   EXPECT_NE(dem2d::parse_rock(text, "rock.toml").name.find("not reached"), std::string::npos);
