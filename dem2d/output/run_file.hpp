@@ -31,7 +31,8 @@ struct RunFile {
 /// Throws `base::InputError` when the file is not a whole run.
 RunFile read_run(const std::filesystem::path& path);
 
-/// The run when `path` is a complete one with this hash, in a bed packed by this program; empty for anything else, without an exception.
+/// The run when `path` is a complete one with this hash, in a bed packed by this program; empty for anything else,
+/// without an exception.
 std::optional<RunFile> read_complete_run(const std::filesystem::path& path, const std::string& hash);
 
 }  // namespace dem2d
