@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <mutex>
+#include <numeric>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -45,6 +45,12 @@ void for_each_index(int count, int jobs, const std::function<void(int)>& functio
   work();
   helpers.clear();
   if (first) std::rethrow_exception(first);
+}
+
+void SharedProgress::set(std::size_t piece, double share) {
+  const std::lock_guard lock(mutex_);
+  done_[piece] = share;
+  if (listener_) listener_(std::accumulate(done_.begin(), done_.end(), 0.0), static_cast<double>(done_.size()));
 }
 
 }  // namespace base

@@ -3,6 +3,10 @@
 /// must not write to the same place; each stores its result under its own index, so results do not depend on order.
 
 #include <functional>
+#include <mutex>
+#include <vector>
+
+#include "base/progress.hpp"
 
 namespace base {
 
@@ -11,5 +15,19 @@ namespace base {
 /// index that threw is thrown again.
 /// Throws `Interrupted` when the user stopped the program before all were done.
 void for_each_index(int count, int jobs, const std::function<void(int)>& function);
+
+/// Adds up what several pieces report at a time, and tells a listener (sum, number of pieces).
+class SharedProgress {
+ public:
+  SharedProgress(std::size_t pieces, ProgressCallback listener) : done_(pieces, 0.0), listener_(std::move(listener)) {}
+
+  /// `share` of this piece, from 0 to 1.
+  void set(std::size_t piece, double share);
+
+ private:
+  std::vector<double> done_;
+  ProgressCallback listener_;
+  std::mutex mutex_;
+};
 
 }  // namespace base

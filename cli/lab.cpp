@@ -198,19 +198,13 @@ LabResults run_all(const Options& options, const Plan& plan) {
   const std::size_t count = plan.seeds.size();
   std::vector<Tested> tested(count);
   Progress line(options.common, std::string(dem2d::name_of(options.test)) + " tests", "specimens");
-  const base::ProgressCallback show = line.callback();
-  // at half the rate a test takes twice the time
-  const double total = static_cast<double>(count) * (options.rate_check ? 3.0 : 1.0);
-  std::vector<double> done(count, 0.0);
-  std::mutex mutex, writing;
+  base::SharedProgress shared(count, line.callback());
+  const double all_of_one = options.rate_check ? 3.0 : 1.0;  // at half the rate a test takes twice the time
+  std::mutex writing;
   const auto test_one = [&](std::size_t place) {
     const auto progress = [&](double finished, double weight) {
-      return [&, finished, weight](double part, double whole) {
-        const std::lock_guard lock(mutex);
-        done[place] = finished + weight * part / whole;
-        double sum = 0.0;
-        for (const double one : done) sum += one;
-        show(sum * static_cast<double>(count) / total, static_cast<double>(count));
+      return [&, place, finished, weight](double part, double whole) {
+        shared.set(place, (finished + weight * part / whole) / all_of_one);
       };
     };
     Tested& mine = tested[place];
@@ -227,7 +221,7 @@ LabResults run_all(const Options& options, const Plan& plan) {
       throw;  // no other could be written either
     } catch (const base::SimulationError& error) {
       mine.why_failed = error.what();
-      progress(0.0, total / static_cast<double>(count))(1.0, 1.0);
+      shared.set(place, 1.0);
     }
   };
   std::exception_ptr ended_by;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <numeric>
 #include <optional>
 
@@ -24,23 +23,6 @@ struct Job {
   LabTest test;
   int seed;
   std::optional<TestRecord> record;
-};
-
-/// Adds up what several tests report at a time, each between 0 and 1.
-class SharedProgress {
- public:
-  SharedProgress(std::size_t jobs, const base::ProgressCallback& progress) : done_(jobs, 0.0), progress_(progress) {}
-
-  void set(std::size_t job, double share) {
-    const std::lock_guard lock(mutex_);
-    done_[job] = share;
-    if (progress_) progress_(std::accumulate(done_.begin(), done_.end(), 0.0), static_cast<double>(done_.size()));
-  }
-
- private:
-  std::vector<double> done_;
-  const base::ProgressCallback& progress_;
-  std::mutex mutex_;
 };
 
 TestRecord record_of(const LabRun& run, int seed, const Micro& micro) {
@@ -146,7 +128,7 @@ Evaluation Laboratory::evaluate(const Micro& micro, const std::vector<int>& seed
   }
   pack(to_pack);
   const Rock rock = with_micro(target_.start, micro);
-  SharedProgress shared(to_run.size(), progress);
+  base::SharedProgress shared(to_run.size(), progress);
   base::for_each_index(static_cast<int>(to_run.size()), threads_, [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     Job& job = jobs[to_run[k]];

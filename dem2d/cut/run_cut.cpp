@@ -38,17 +38,6 @@ Boundary wall(const CutCase& cut, const ConvexPolygon& shape) {
           .shear_damping_ratio = cut.rock.contact_shear_damping_ratio};
 }
 
-void forgive_initial_overlaps(World& world) {
-  const Discs& discs = world.discs;
-  for (Boundary& boundary : world.boundaries) {
-    boundary.reference_overlap.assign(discs.x.size(), 0.0);
-    for (std::size_t i = 0; i < discs.x.size(); ++i) {
-      const NearestPoint point = nearest_point(boundary.shape, discs.x[i], discs.y[i]);
-      boundary.reference_overlap[i] = std::max(0.0, discs.radius[i] - point.distance);
-    }
-  }
-}
-
 Frame take_frame(const World& world, double tip_x) {
   return {.time = world.time,
           .tip_x = tip_x,
@@ -83,7 +72,7 @@ World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& 
   world.boundaries = {cutter, wall(cut, rectangle(-thick, -thick, bed.width + thick, 0.0)),
                       wall(cut, rectangle(-thick, -thick, 0.0, tip_y)),
                       wall(cut, rectangle(bed.width, -thick, bed.width + thick, bed.height))};
-  forgive_initial_overlaps(world);
+  for (Boundary& boundary : world.boundaries) forgive_overlaps(boundary, world.discs);
   prepare(world);
   world.step = critical_step(world);
   return world;

@@ -64,11 +64,7 @@ void add_platens(LoadFrame& frame, const Rock& rock, double friction) {
                     .stiffness_ratio = rock.contact_stiffness_ratio,
                     .friction = friction,
                     .damping_ratio = rock.contact_damping_ratio};
-    platen.reference_overlap.resize(discs.x.size());
-    for (std::size_t i = 0; i < discs.x.size(); ++i) {
-      const double distance = nearest_point(platen.shape, discs.x[i], discs.y[i]).distance;
-      platen.reference_overlap[i] = std::max(0.0, discs.radius[i] - distance);
-    }
+    forgive_overlaps(platen, discs);
     frame.world.boundaries.push_back(platen);
   }
 }

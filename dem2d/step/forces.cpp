@@ -124,6 +124,18 @@ inline void one_joint(World& world, std::size_t joint, std::vector<Crack>& fresh
   write_pair(world.slots, joint, pair, force.normal, force.shear, force.moment);
 }
 
+/// What a linear contact lost in this step; its dashpot forces are kept for the next. `opening` is what the overlap has
+/// shrunk by, `spring_before` the spring before the step.
+inline LinearLoss measure_contact(const LinearLaw& law, double overlap, double opening, double spring_before,
+                                  double spring, const LinearForce& force, double shear_increment,
+                                  double& last_normal_dashpot, double& last_shear_dashpot) {
+  const LinearLoss loss = linear_loss(law, {overlap + opening, spring_before, last_normal_dashpot, last_shear_dashpot},
+                                      {overlap, spring, force.normal_dashpot, force.shear_dashpot}, shear_increment);
+  last_normal_dashpot = force.normal_dashpot;
+  last_shear_dashpot = force.shear_dashpot;
+  return loss;
+}
+
 template <bool measured>
 inline void one_contact(World& world, std::size_t contact) {
   LinearContacts& contacts = world.contacts;
@@ -139,16 +151,12 @@ inline void one_contact(World& world, std::size_t contact) {
   const LinearForce force =
       update_linear_contact(law, overlap, -pair.normal_speed, shear_increment, pair.shear_speed, spring);
   if constexpr (measured) {
-    double& normal_dashpot = contacts.last_normal_dashpot[contact];
-    double& shear_dashpot = contacts.last_shear_dashpot[contact];
-    const double overlap_before = overlap + pair.normal_speed * world.step;
-    const LinearLoss loss = linear_loss(law, {overlap_before, spring_before, normal_dashpot, shear_dashpot},
-                                        {overlap, spring, force.normal_dashpot, force.shear_dashpot}, shear_increment);
+    const LinearLoss loss =
+        measure_contact(law, overlap, pair.normal_speed * world.step, spring_before, spring, force, shear_increment,
+                        contacts.last_normal_dashpot[contact], contacts.last_shear_dashpot[contact]);
     contacts.friction_loss[contact] += loss.friction;
     contacts.dashpot_loss[contact] += loss.dashpots;
     contacts.switching_loss[contact] += loss.switching;
-    normal_dashpot = force.normal_dashpot;
-    shear_dashpot = force.shear_dashpot;
   }
   write_pair(world.slots, place, pair, -force.normal, force.shear, 0.0);
 }
@@ -171,16 +179,12 @@ inline void one_boundary_contact(World& world, Boundary& boundary, std::size_t p
   const double spring_before = spring;
   const LinearForce force = update_linear_contact(law, overlap, -normal_speed, shear_increment, shear_speed, spring);
   if constexpr (measured) {
-    double& normal_dashpot = boundary.last_normal_dashpot[i];
-    double& shear_dashpot = boundary.last_shear_dashpot[i];
-    const double overlap_before = overlap + normal_speed * world.step;
-    const LinearLoss loss = linear_loss(law, {overlap_before, spring_before, normal_dashpot, shear_dashpot},
-                                        {overlap, spring, force.normal_dashpot, force.shear_dashpot}, shear_increment);
+    const LinearLoss loss =
+        measure_contact(law, overlap, normal_speed * world.step, spring_before, spring, force, shear_increment,
+                        boundary.last_normal_dashpot[i], boundary.last_shear_dashpot[i]);
     world.energy.friction += loss.friction;
     world.energy.dashpots += loss.dashpots;
     world.energy.switching += loss.switching;
-    normal_dashpot = force.normal_dashpot;
-    shear_dashpot = force.shear_dashpot;
   }
   boundary.contact_force_x[place] = force.normal * point.normal_x + force.shear * point.normal_y;
   boundary.contact_force_y[place] = force.normal * point.normal_y - force.shear * point.normal_x;

@@ -133,6 +133,14 @@ void list_slots(World& world) {
 
 }  // namespace
 
+void forgive_overlaps(Boundary& boundary, const Discs& discs) {
+  boundary.reference_overlap.resize(discs.x.size());
+  for (std::size_t i = 0; i < discs.x.size(); ++i) {
+    const double distance = nearest_point(boundary.shape, discs.x[i], discs.y[i]).distance;
+    boundary.reference_overlap[i] = std::max(0.0, discs.radius[i] - distance);
+  }
+}
+
 void prepare(World& world) {
   const Discs& discs = world.discs;
   world.skin = skin_per_radius * *std::min_element(discs.radius.begin(), discs.radius.end());

@@ -10,4 +10,7 @@ namespace dem2d {
 /// Sizes the arrays that a step needs and makes the first lists. Call once, when discs, joints and boundaries are set.
 void prepare(World& world);
 
+/// What discs overlap the boundary now carries no force (its reference overlaps): for a world that starts stress-free.
+void forgive_overlaps(Boundary& boundary, const Discs& discs);
+
 }  // namespace dem2d

@@ -121,7 +121,8 @@ TEST_P(Stopped, ACampaignGoesOnWhereItWas) {
   const scratch::Folder dir("stopped_" + std::to_string(GetParam()));
   base::write_whole(dir / "study.toml", program::small_study());
   const fs::path study = dir / "study.toml", camp = dir / "camp";
-  const pid_t child = program::start({"campaign", "run", study.string(), "--dir", camp.string(), "--jobs", "1", "--quiet"});
+  const pid_t child =
+      program::start({"campaign", "run", study.string(), "--dir", camp.string(), "--jobs", "1", "--quiet"});
   for (int wait = 0; wait < 3000 && finished_runs(camp / "runs") == 0; ++wait)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   ::kill(child, GetParam());
