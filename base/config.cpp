@@ -213,6 +213,12 @@ void ConfigFile::fill(const Section& section) {
   fill_table(state, *table, section, line, refuse);
 }
 
+bool ConfigFile::has(const std::string& section, const std::string& key) const {
+  if (section.empty()) return state_->root.contains(key);
+  if (key.empty()) return state_->root.contains(section);
+  return static_cast<bool>(state_->root[section][key]);
+}
+
 int ConfigFile::count(const std::string& name) const {
   state_->known_tables.insert(name);
   const toml::node* node = state_->root.get(name);

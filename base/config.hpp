@@ -65,6 +65,8 @@ class ConfigFile {
 
   /// Fills the fields of one section. A missing section counts as empty.
   void fill(const Section& section);
+  /// Whether the file has this section, or this key of it.
+  bool has(const std::string& section, const std::string& key = "") const;
   /// Number of entries of an array of tables `[[name]]` (0 when absent).
   int count(const std::string& name) const;
   /// Fills the fields of entry `index` (0-based) of an array of tables.

@@ -64,10 +64,40 @@ const std::vector<double>& CsvTable::column(const std::string& name) const {
   return columns[static_cast<std::size_t>(found - names.begin())];
 }
 
-CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite) {
+namespace {
+
+/// Where the cells of one column of the file go.
+struct Column {
+  std::string name;
+  bool is_text = false;
+  std::size_t number = 0;  ///< among the columns of numbers
+};
+
+std::vector<Column> read_header(const std::vector<std::string_view>& cells, int line,
+                                const std::vector<std::string>& text_columns, CsvTable& table) {
+  std::vector<Column> columns;
+  for (const std::string_view cell : cells) {
+    Column column{.name = std::string(cell), .number = table.names.size()};
+    if (std::count(cells.begin(), cells.end(), cell) > 1) {
+      throw InputError(fmt::format("{}:{}: column '{}' appears twice", table.source, line, cell));
+    }
+    column.is_text = std::find(text_columns.begin(), text_columns.end(), column.name) != text_columns.end();
+    if (column.is_text) table.texts[column.name];
+    if (!column.is_text) table.names.push_back(column.name);
+    columns.push_back(std::move(column));
+  }
+  table.columns.resize(table.names.size());
+  return columns;
+}
+
+}  // namespace
+
+CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite,
+                  const std::vector<std::string>& text_columns) {
   const std::string content = read_whole(path);
   CsvTable table;
   table.source = path.string();
+  std::vector<Column> columns;
   std::string_view rest = content;
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some spreadsheets put it first
   if (rest.substr(0, byte_order_mark.size()) == byte_order_mark) rest.remove_prefix(byte_order_mark.size());
@@ -77,41 +107,54 @@ CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite) {
     rest.remove_prefix(newline == std::string_view::npos ? rest.size() : newline + 1);
     if (line.empty() || line.front() == '#') continue;
     const std::vector<std::string_view> cells = split(line);
-    if (table.names.empty()) {
-      table.names.assign(cells.begin(), cells.end());
-      for (std::string& name : table.names) {
-        if (std::count(table.names.begin(), table.names.end(), name) > 1) {
-          throw InputError(fmt::format("{}:{}: column '{}' appears twice", table.source, line_number, name));
-        }
-      }
-      table.columns.resize(cells.size());
+    if (columns.empty()) {
+      columns = read_header(cells, line_number, text_columns, table);
       continue;
     }
-    if (cells.size() != table.names.size()) {
+    if (cells.size() != columns.size()) {
       throw InputError(fmt::format("{}:{}: {} values (the header has {} columns)", table.source, line_number,
-                                   cells.size(), table.names.size()));
+                                   cells.size(), columns.size()));
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::string where = fmt::format("{}:{}: column {}", table.source, line_number, table.names[i]);
-      table.columns[i].push_back(parse_number(cells[i], where, allow_not_finite));
+      const Column& column = columns[i];
+      if (column.is_text) {
+        table.texts[column.name].emplace_back(cells[i]);
+        continue;
+      }
+      const std::string where = fmt::format("{}:{}: column {}", table.source, line_number, column.name);
+      table.columns[column.number].push_back(parse_number(cells[i], where, allow_not_finite));
     }
     table.lines.push_back(line_number);
   }
-  if (table.names.empty()) throw InputError(fmt::format("{}: empty (a header line and rows are needed)", table.source));
+  if (columns.empty()) throw InputError(fmt::format("{}: empty (a header line and rows are needed)", table.source));
   if (table.lines.empty())
     throw InputError(fmt::format("{}: only a header (at least one row is needed)", table.source));
   return table;
 }
 
+namespace {
+
+std::string csv_line(const std::vector<std::vector<double>>& columns, std::size_t row) {
+  std::string line;
+  for (const std::vector<double>& column : columns) {
+    line += fmt::format("{}{}", line.empty() ? "" : ",", column[row]);  // fmt: shortest text that reads back exactly
+  }
+  return line;
+}
+
+}  // namespace
+
 std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& columns) {
   std::string text = fmt::format("{}\n", fmt::join(names, ","));
   const std::size_t rows = columns.empty() ? 0 : columns.front().size();
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      text += fmt::format("{}{}", i == 0 ? "" : ",", columns[i][row]);  // fmt: shortest text that reads back exactly
-    }
-    text += '\n';
-  }
+  for (std::size_t row = 0; row < rows; ++row) text += csv_line(columns, row) + '\n';
+  return text;
+}
+
+std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& columns,
+                     const std::string& text_name, const std::vector<std::string>& texts) {
+  std::string text = fmt::format("{},{}\n", fmt::join(names, ","), text_name);
+  for (std::size_t row = 0; row < texts.size(); ++row) text += csv_line(columns, row) + ',' + texts[row] + '\n';
   return text;
 }
 

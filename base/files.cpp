@@ -91,6 +91,17 @@ void write_whole(const std::filesystem::path& path, std::string_view bytes) {
   }
 }
 
+void remove_parts(const std::filesystem::path& path) {
+  const std::string begin = path.filename().string() + ".";
+  std::error_code ignored;
+  std::vector<std::filesystem::path> parts;
+  for (const auto& entry : std::filesystem::directory_iterator(path.parent_path(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(begin) && name.ends_with(".part")) parts.push_back(entry.path());
+  }
+  for (const auto& part : parts) std::filesystem::remove(part, ignored);
+}
+
 namespace {
 
 void make_folder(const std::filesystem::path& folder) {

@@ -15,6 +15,10 @@ std::string read_whole(const std::filesystem::path& path);
 /// Throws `OutputError` (for example: no space left on device) and removes the part on failure.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
+/// Removes the parts that killed programs have left of earlier attempts to write `path`. Only for a caller who knows
+/// that nobody writes it now (base/file_lock.hpp).
+void remove_parts(const std::filesystem::path& path);
+
 /// Call before a long computation: makes the folder of `path` if needed and tries to write there.
 /// Throws `InputError` naming the path and the reason.
 void require_writable(const std::filesystem::path& path);

@@ -1,113 +1,193 @@
 #include "campaigns/runner.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <map>
-#include <memory>
+#include <array>
+#include <chrono>
+#include <deque>
 #include <mutex>
+#include <optional>
+#include <string_view>
+#include <thread>
 
 #include "base/errors.hpp"
+#include "base/file_lock.hpp"
 #include "base/files.hpp"
 #include "base/parallel.hpp"
 #include "base/stop.hpp"
-#include "dem2d/specimen/specimen_file.hpp"
+#include "campaigns/accepted.hpp"
+#include "campaigns/folder.hpp"
+#include "campaigns/plan.hpp"
+#include "campaigns/rocks.hpp"
 
 namespace campaigns {
 
 namespace {
 
 using Path = std::filesystem::path;
+using Clock = std::chrono::steady_clock;
 
-std::string job_name(const Job& job) {
-  return fmt::format("case_{:03d}_seed_{}", job.case_number, job.seed);
+constexpr std::chrono::seconds between_records{5};
+constexpr std::chrono::milliseconds between_looks{300};  // at jobs that other runners hold
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
-Path failure_path(const Path& folder, const Job& job) {
-  return folder / "failed" / (job_name(job) + ".txt");
-}
-
-void refuse_other_study(const Study& study, const Path& folder) {
-  const Path file = folder / "study.toml";
-  if (!std::filesystem::exists(file)) return;
-  if (base::read_whole(file) == resolved_toml(study)) return;
-  throw base::InputError(
-      fmt::format("{} holds runs of another study (its study.toml differs from the one asked for); "
-                  "choose another --dir, or remove that folder",
-                  folder.string()));
-}
-
-/// The rocks of a study: each made (or read) by the first worker that needs it, while others that need it wait.
-class RockStore {
+/// The record of one job under way; gone with the object.
+class Running {
  public:
-  RockStore(const Study& study, Path folder, std::function<void(const std::string&)> on_stage)
-      : study_(study), folder_(std::move(folder)), on_stage_(std::move(on_stage)) {
-    for (const int seed : study.seeds) rocks_[seed] = std::make_unique<Rock>();
+  explicit Running(Path path)
+      : path_(std::move(path)), record_{.host = host_name(), .pid = ::getpid(), .started = now()} {
+    base::remove_parts(path_);
+    tell();
   }
+  ~Running() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
 
-  std::shared_ptr<const dem2d::Specimen> get(int seed) {
-    Rock& rock = *rocks_.at(seed);
-    const std::lock_guard lock(rock.mutex);
-    if (!rock.specimen) rock.specimen = std::make_shared<const dem2d::Specimen>(make(seed));
-    return rock.specimen;
+  /// The cut itself begins: rocks are not counted as its time.
+  void begin_cut() {
+    record_.started = now();
+    tell();
+  }
+  void progress(double share) {
+    if (Clock::now() - told_ < between_records) return;
+    record_.share_done = share;
+    tell();
   }
 
  private:
-  struct Rock {
-    std::mutex mutex;
-    std::shared_ptr<const dem2d::Specimen> specimen;
-  };
-
-  dem2d::Specimen make(int seed) const {
-    const Path file = folder_ / fmt::format("seed_{}.h5", seed);
-    const dem2d::CutCase& common = study_.common;
-    if (std::filesystem::exists(file)) {
-      try {
-        dem2d::Specimen kept = dem2d::read_specimen(file);
-        const std::string why =
-            dem2d::mismatch(kept, common.rock, common.bed_length, common.bed_height, static_cast<std::uint64_t>(seed));
-        if (why.empty() && !kept.packed_elsewhere()) return kept;
-      } catch (const base::InputError&) {
-        // a damaged rock is simply made again below
-      }
+  void tell() {
+    told_ = Clock::now();
+    try {
+      write_record(record_, path_);
+    } catch (const base::OutputError&) {
+      // a cut is worth more than the news of it; if there is no room, its result will say so
     }
-    if (on_stage_) on_stage_(fmt::format("making the rock of seed {}", seed));
-    dem2d::Specimen made =
-        dem2d::make_specimen(common.rock, common.bed_length, common.bed_height, static_cast<std::uint64_t>(seed), 1);
-    dem2d::write_specimen(made, file);
-    return made;
   }
 
-  const Study& study_;
-  Path folder_;
-  std::function<void(const std::string&)> on_stage_;
-  std::map<int, std::unique_ptr<Rock>> rocks_;
+  Path path_;
+  RunningRecord record_;
+  Clock::time_point told_;
 };
 
-/// What a job costs grows with the time it simulates [s].
-double simulated_time(const Job& job) {
-  return job.cut.cut_length / job.cut.cutter_speed;
-}
+/// The jobs of one call, handed out one by one; those that other runners hold come back until they are done or free.
+class Queue {
+ public:
+  explicit Queue(std::vector<Job> jobs) : waiting_(jobs.begin(), jobs.end()) {}
+
+  /// Empty when nothing is left to begin.
+  std::optional<Job> next() {
+    bool only_held = false;
+    {
+      const std::lock_guard lock(mutex_);
+      only_held = waiting_.empty() && !held_.empty();
+    }
+    if (only_held) std::this_thread::sleep_for(between_looks);
+    base::throw_if_stopped();
+    const std::lock_guard lock(mutex_);
+    std::deque<Job>& from = waiting_.empty() ? held_ : waiting_;
+    if (closed_ || from.empty()) return std::nullopt;
+    Job job = std::move(from.front());
+    from.pop_front();
+    return job;
+  }
+  void held_by_another(Job job) {
+    const std::lock_guard lock(mutex_);
+    held_.push_back(std::move(job));
+  }
+  void close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::deque<Job> waiting_, held_;
+  bool closed_ = false;
+};
+
+/// How far this call is, and what it tells its listener.
+class Tally {
+ public:
+  Tally(const std::vector<Job>& pending, const RunOptions& options)
+      : options_(options), total_(static_cast<int>(pending.size())) {
+    for (const Job& job : pending) work_left_ += work(job);
+  }
+  int finished() const { return finished_; }
+  int total() const { return total_; }
+
+  void add(JobReport report) {
+    const std::lock_guard lock(mutex_);
+    const double done = work(*report.job);
+    work_left_ = std::max(0.0, work_left_ - done);
+    if (!report.elsewhere && !report.failed) {
+      own_work_ += done;
+      own_time_ += report.wall_time;
+    }
+    report.finished = ++finished_;
+    report.total = total_;
+    const int workers = std::clamp(total_ - finished_, 1, options_.workers);
+    if (own_work_ > 0.0) report.time_left = own_time_ / own_work_ * work_left_ / workers;
+    if (options_.on_job) options_.on_job(report);
+  }
+
+ private:
+  const RunOptions& options_;
+  std::mutex mutex_;
+  int finished_ = 0, total_ = 0;
+  double work_left_ = 0.0, own_work_ = 0.0, own_time_ = 0.0;
+};
 
 /// Jobs of this shard that are not done, longest first, so that the last worker does not sit with the longest job.
 std::vector<Job> pending_jobs(const Study& study, const Path& folder, const RunOptions& options) {
+  const Accepted accepted = accepted_rows(study, folder);
   std::vector<Job> pending;
   int number = 0;
   for (Job& job : jobs(study)) {
     const bool mine = number++ % options.shards == options.shard - 1;
-    if (mine && !finished_run(folder, job)) pending.push_back(std::move(job));
+    if (!mine || accepted.rows.contains(job_hash(job)) || finished_run(folder, job)) continue;
+    pending.push_back(std::move(job));
   }
-  std::stable_sort(pending.begin(), pending.end(),
-                   [](const Job& a, const Job& b) { return simulated_time(a) > simulated_time(b); });
+  std::stable_sort(pending.begin(), pending.end(), [](const Job& a, const Job& b) { return work(a) > work(b); });
   return pending;
 }
 
-/// Runs one job and stores its result, or the reason of its failure.
+/// Removes what killed runners have left in running/: records, and locks that nobody holds.
+void clear_dead_records(const Path& folder) {
+  constexpr std::string_view ending = ".toml";
+  std::vector<Path> records;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "running")) {
+    const std::string name = entry.path().string();
+    const std::size_t end = name.rfind(ending);
+    if (end != std::string::npos) records.emplace_back(name.substr(0, end + ending.size()));
+  }
+  for (const Path& record : records) {
+    const std::optional<base::FileLock> lock = base::FileLock::try_take(record);
+    if (!lock) continue;
+    std::error_code ignored;
+    std::filesystem::remove(record, ignored);
+    base::remove_parts(record);
+  }
+}
+
+/// Runs one job that we hold and stores its result, or the reason of its failure.
 JobReport run_job(const Job& job, const Path& folder, RockStore& rocks) {
   JobReport report{.job = &job};
+  Running running(running_path(folder, job));
   try {
-    const std::shared_ptr<const dem2d::Specimen> rock = rocks.get(job.seed);
-    const dem2d::CutRun result = dem2d::run_cut(job.cut, *rock);
+    base::remove_parts(run_path(folder, job));
+    const std::shared_ptr<const dem2d::Specimen> rock = rocks.get(job);
+    running.begin_cut();
+    const dem2d::CutRun result =
+        dem2d::run_cut(job.cut, *rock, {}, [&](double done, double total) { running.progress(done / total); });
     report.wall_time = result.wall_time;
     dem2d::write_run(result, job.cut, static_cast<std::uint64_t>(job.seed), run_path(folder, job));
     std::filesystem::remove(failure_path(folder, job));
@@ -123,64 +203,50 @@ JobReport run_job(const Job& job, const Path& folder, RockStore& rocks) {
   return report;
 }
 
-}  // namespace
-
-std::filesystem::path run_path(const Path& folder, const Job& job) {
-  return folder / "runs" / (job_name(job) + ".h5");
-}
-
-std::optional<dem2d::RunFile> finished_run(const Path& folder, const Job& job) {
-  return dem2d::read_complete_run(run_path(folder, job),
-                                  dem2d::cut_hash(job.cut, static_cast<std::uint64_t>(job.seed)));
-}
-
-Status status(const Study& study, const Path& folder) {
-  refuse_other_study(study, folder);
-  Status status;
-  for (const Job& job : jobs(study)) {
-    ++status.cases;
-    if (const auto file = finished_run(folder, job)) {
-      ++status.done;
-      status.core_seconds += file->run.wall_time;
-    } else if (std::filesystem::exists(failure_path(folder, job))) {
-      ++status.failed;
+/// What one worker does until nothing is left.
+void work_off(Queue& queue, const Path& folder, RockStore& rocks, Tally& tally) {
+  while (std::optional<Job> job = queue.next()) {
+    const std::optional<base::FileLock> lock = base::FileLock::try_take(running_path(folder, *job));
+    if (!lock) {
+      queue.held_by_another(*std::move(job));
+    } else if (finished_run(folder, *job)) {
+      tally.add({.job = &*job, .elsewhere = true});
     } else {
-      ++status.remaining;
+      tally.add(run_job(*job, folder, rocks));
     }
   }
-  return status;
 }
 
+}  // namespace
+
 void run(const Study& study, const Path& folder, const RunOptions& options) {
-  base::require_writable_folder(folder);
-  refuse_other_study(study, folder);
-  for (const char* part : {"runs", "specimens", "failed"}) base::require_writable_folder(folder / part);
-  base::write_whole(folder / "study.toml", resolved_toml(study));
-
+  open_folder(study, folder);
+  clear_dead_records(folder);
   const std::vector<Job> pending = pending_jobs(study, folder, options);
-  RockStore rocks(study, folder / "specimens", options.on_stage);
-  std::mutex report_mutex;
-  int finished = 0;
-  double work_done = 0.0, work_total = 0.0;
-  for (const Job& job : pending) work_total += simulated_time(job);
-
-  const auto do_job = [&](int index) {
-    const Job& job = pending[static_cast<std::size_t>(index)];
-    // another runner on the same folder may have done it meanwhile
-    JobReport report = finished_run(folder, job) ? JobReport{.job = &job} : run_job(job, folder, rocks);
-    const std::lock_guard lock(report_mutex);
-    report.finished = ++finished;
-    report.total = static_cast<int>(pending.size());
-    work_done += simulated_time(job);
-    report.share_done = work_done / work_total;
-    if (options.on_job) options.on_job(report);
+  RockStore rocks(folder, options.on_stage);
+  Queue queue(pending);
+  Tally tally(pending, options);
+  const auto worker = [&](int) {
+    try {
+      work_off(queue, folder, rocks, tally);
+    } catch (...) {
+      queue.close();  // others finish what they have begun
+      throw;
+    }
   };
   try {
-    base::for_each_index(static_cast<int>(pending.size()), options.workers, do_job);
+    const int workers = std::min(options.workers, static_cast<int>(pending.size()));
+    base::for_each_index(workers, workers, worker);
   } catch (const base::Interrupted&) {
     throw base::Interrupted(fmt::format(
         "stopped by the user: {} of {} jobs of this call are finished and kept; the same command goes on with the rest",
-        finished, pending.size()));
+        tally.finished(), tally.total()));
+  } catch (const base::OutputError& error) {
+    throw base::OutputError(
+        fmt::format("{}\nbitrock: {} of {} jobs of this call are finished and kept; make room, and the same command "
+                    "goes on with the "
+                    "rest",
+                    error.what(), tally.finished(), tally.total()));
   }
 }
 

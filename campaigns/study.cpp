@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
+#include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/units.hpp"
 
@@ -13,22 +16,50 @@ namespace {
 
 using base::deg, base::mm;
 
-std::vector<base::Section> describe(Study& study) {
-  using base::between, base::positive;
+const base::Range speed_range{.low = 0.0, .high = 50.0, .low_open = true};
+const base::Range depth_range = base::positive();
+const base::Range rake_range = base::between(0.0, 60.0);
+
+/// Cut and bed are sized either for all cases, or by the depth of each.
+struct Size {
+  const char* section;
+  const char* key;
+};
+constexpr Size sizes[]{{"cut", "cut_length_mm"}, {"bed", "length_mm"}, {"bed", "height_mm"}};
+
+base::Section describe(ByDepth& by_depth) {
+  using base::at_least, base::positive;
+  return {"by_depth",
+          {{"cut_length_depths", &by_depth.cut_length_depths, 1.0, positive(), "travel of the cutter", true},
+           {"bed_height_depths", &by_depth.bed_height_depths, 1.0, at_least(3.0), "from bottom to surface", true},
+           {"bed_beyond_depths", &by_depth.bed_beyond_depths, 1.0, at_least(3.0), "rock past the end of the cut", true},
+           {"cut_length_least_mm", &by_depth.cut_length_least, mm, at_least(0.0), "however small the depth"},
+           {"bed_height_least_mm", &by_depth.bed_height_least, mm, at_least(0.0), "however small the depth"},
+           {"bed_beyond_least_mm", &by_depth.bed_beyond_least, mm, at_least(0.0), "however small the depth"}}};
+}
+
+base::Section describe(Grid& grid) {
+  return {"grid",
+          {{"cutter_speeds_m_per_s", &grid.cutter_speeds, 1.0, speed_range, "of the grid", true},
+           {"depths_of_cut_mm", &grid.depths_of_cut, mm, depth_range, "of the grid", true},
+           {"back_rakes_deg", &grid.back_rakes, deg, rake_range, "of the grid", true}}};
+}
+
+/// How the resolved copy of a study holds its table.
+base::Section describe(Table& table) {
+  return {"table",
+          {{"cutter_speed_m_per_s", &table.cutter_speed, 1.0, speed_range, "of each case"},
+           {"depth_of_cut_mm", &table.depth_of_cut, mm, depth_range, "of each case"},
+           {"back_rake_deg", &table.back_rake, deg, rake_range, "of each case"}}};
+}
+
+/// The sections that every study has.
+std::vector<base::Section> describe_common(Study& study) {
   std::vector<base::Section> sections = dem2d::describe(study.common);
   const auto cut = std::find_if(sections.begin(), sections.end(), [](const auto& s) { return s.name == "cut"; });
   std::erase_if(cut->fields, [](const base::Field& field) { return field.name != "cut_length_mm"; });
   sections.front().fields.push_back(
-      {"seeds", &study.seeds, 1.0, between(0, 2147483647), "one rock each; every case is cut in every rock"});
-  sections.push_back({"grid",
-                      {{"cutter_speeds_m_per_s",
-                        &study.cutter_speeds,
-                        1.0,
-                        {.low = 0.0, .high = 50.0, .low_open = true},
-                        "of the grid",
-                        true},
-                       {"depths_of_cut_mm", &study.depths_of_cut, mm, positive(), "of the grid", true},
-                       {"back_rakes_deg", &study.back_rakes, deg, between(0.0, 60.0), "of the grid", true}}});
+      {"seeds", &study.seeds, 1.0, base::between(0, 2147483647), "one rock each; every case is cut in every rock"});
   return sections;
 }
 
@@ -38,29 +69,123 @@ bool has_repeats(std::vector<T> values) {
   return std::adjacent_find(values.begin(), values.end()) != values.end();
 }
 
+void read_grid(base::ConfigFile& file, Grid& grid) {
+  file.fill(describe(grid));
+  const std::string no_repeats = "each value may appear once";
+  if (has_repeats(grid.cutter_speeds)) file.refuse("grid", "cutter_speeds_m_per_s", no_repeats);
+  if (has_repeats(grid.depths_of_cut)) file.refuse("grid", "depths_of_cut_mm", no_repeats);
+  if (has_repeats(grid.back_rakes)) file.refuse("grid", "back_rakes_deg", no_repeats);
+}
+
+void read_by_depth(base::ConfigFile& file, Study& study) {
+  for (const Size& size : sizes) {
+    if (file.has(size.section, size.key)) {
+      file.refuse(size.section, size.key, "[by_depth] sizes each case by its depth; give one of the two");
+    }
+  }
+  study.by_depth.emplace();
+  file.fill(describe(*study.by_depth));
+}
+
+Table read_table(const std::filesystem::path& path) {
+  const base::CsvTable csv = base::read_csv(path);
+  const auto column = [&csv](const char* name, const base::Range& range, double unit) {
+    std::vector<double> values = csv.column(name);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!range.contains(values[i])) {
+        throw base::InputError(
+            fmt::format("{}:{}: {} = {} (must be {})", csv.source, csv.lines[i], name, values[i], range.text()));
+      }
+      values[i] *= unit;
+    }
+    return values;
+  };
+  Table table{.cutter_speed = column("cutter_speed_m_per_s", speed_range, 1.0),
+              .depth_of_cut = column("depth_of_cut_mm", depth_range, mm),
+              .back_rake = column("back_rake_deg", rake_range, deg)};
+  std::map<std::tuple<double, double, double>, int> lines;
+  for (std::size_t i = 0; i < csv.rows(); ++i) {
+    const auto [first, is_new] =
+        lines.emplace(std::tuple(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i]), csv.lines[i]);
+    if (!is_new) {
+      throw base::InputError(fmt::format("{}:{}: the same case as in line {} (each may appear once; seeds repeat them)",
+                                         csv.source, csv.lines[i], first->second));
+    }
+  }
+  return table;
+}
+
+/// Either a grid or a table.
+void read_cases(base::ConfigFile& file, Study& study) {
+  const bool has_table = file.has("table");
+  if (has_table && file.has("grid")) file.refuse("", "table", "there is a [grid] too; give one of the two");
+  if (!has_table) return read_grid(file, study.grid);
+  file.fill({"", {{"table", &study.table_file, 1.0, base::any(), "cases as CSV, relative to this file"}}});
+  study.table = read_table(file.resolve(study.table_file));
+}
+
+dem2d::CutCase sized(dem2d::CutCase cut, const ByDepth& by_depth) {
+  const double depth = cut.depth_of_cut;
+  cut.cut_length = std::max(by_depth.cut_length_depths * depth, by_depth.cut_length_least);
+  cut.bed_height = std::max(by_depth.bed_height_depths * depth, by_depth.bed_height_least);
+  cut.bed_length = cut.cut_length + std::max(by_depth.bed_beyond_depths * depth, by_depth.bed_beyond_least);
+  return cut;
+}
+
+/// One cut a case, in order.
+std::vector<dem2d::CutCase> cases(const Study& study) {
+  std::vector<dem2d::CutCase> all;
+  const auto add = [&](double speed, double depth, double rake) {
+    dem2d::CutCase cut = study.common;
+    cut.cutter_speed = speed;
+    cut.depth_of_cut = depth;
+    cut.back_rake = rake;
+    all.push_back(study.by_depth ? sized(std::move(cut), *study.by_depth) : std::move(cut));
+  };
+  const Table& table = study.table;
+  for (std::size_t i = 0; i < table.cutter_speed.size(); ++i) {
+    add(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i]);
+  }
+  for (const double speed : study.grid.cutter_speeds) {
+    for (const double depth : study.grid.depths_of_cut) {
+      for (const double rake : study.grid.back_rakes) add(speed, depth, rake);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 Study read_study(const std::filesystem::path& path) {
   Study study;
   base::ConfigFile file = base::ConfigFile::read(path);
-  for (const base::Section& section : describe(study)) file.fill(section);
+  for (const base::Section& section : describe_common(study)) file.fill(section);
+  read_cases(file, study);
+  if (file.has("by_depth")) read_by_depth(file, study);
   file.refuse_unknown();
-  const std::string no_repeats = "each value may appear once";
-  if (has_repeats(study.cutter_speeds)) file.refuse("grid", "cutter_speeds_m_per_s", no_repeats);
-  if (has_repeats(study.depths_of_cut)) file.refuse("grid", "depths_of_cut_mm", no_repeats);
-  if (has_repeats(study.back_rakes)) file.refuse("grid", "back_rakes_deg", no_repeats);
-  if (has_repeats(study.seeds)) file.refuse("", "seeds", no_repeats);
+  if (has_repeats(study.seeds)) file.refuse("", "seeds", "each value may appear once");
   study.common.rock = dem2d::read_rock(file.resolve(study.common.rock_file));
-  for (const Job& job : jobs(study)) {
-    dem2d::check_cut_case(job.cut, fmt::format("{}: case {}", path.string(), job.case_number));
+  int number = 0;
+  for (const dem2d::CutCase& cut : cases(study)) {
+    dem2d::check_cut_case(cut, fmt::format("{}: case {}", path.string(), ++number));
   }
   return study;
 }
 
 std::string resolved_toml(const Study& study) {
   Study copy = study;
-  std::vector<base::Section> sections = describe(copy);
+  std::vector<base::Section> sections = describe_common(copy);
   std::erase_if(sections.front().fields, [](const base::Field& field) { return field.name == "rock"; });
+  if (copy.table_file.empty()) sections.push_back(describe(copy.grid));
+  if (!copy.table_file.empty()) sections.push_back(describe(copy.table));
+  if (copy.by_depth) {
+    sections.push_back(describe(*copy.by_depth));
+    for (const Size& size : sizes) {
+      const auto section =
+          std::find_if(sections.begin(), sections.end(), [&size](const auto& s) { return s.name == size.section; });
+      std::erase_if(section->fields, [&size](const base::Field& field) { return field.name == size.key; });
+    }
+  }
   for (base::Section& section : dem2d::describe_material(copy.common.rock)) sections.push_back(std::move(section));
   return base::to_toml(sections);
 }
@@ -68,18 +193,18 @@ std::string resolved_toml(const Study& study) {
 std::vector<Job> jobs(const Study& study) {
   std::vector<Job> all;
   int case_number = 0;
-  for (const double speed : study.cutter_speeds) {
-    for (const double depth : study.depths_of_cut) {
-      for (const double rake : study.back_rakes) {
-        ++case_number;
-        for (const int seed : study.seeds) {
-          Job job{.case_number = case_number, .seed = seed, .cut = study.common};
-          job.cut.cutter_speed = speed;
-          job.cut.depth_of_cut = depth;
-          job.cut.back_rake = rake;
-          all.push_back(std::move(job));
-        }
-      }
+  for (const dem2d::CutCase& cut : cases(study)) {
+    ++case_number;
+    for (const int seed : study.seeds) all.push_back({.case_number = case_number, .seed = seed, .cut = cut});
+  }
+  return all;
+}
+
+std::vector<std::string> warnings(const Study& study) {
+  std::vector<std::string> all;
+  for (const dem2d::CutCase& cut : cases(study)) {
+    for (const std::string& warning : dem2d::warnings(cut)) {
+      if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
     }
   }
   return all;

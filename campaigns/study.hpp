@@ -1,9 +1,13 @@
 #pragma once
-/// What a `study.toml` says: a grid of cuts over cutting speed, depth of cut and back rake, times a list of seeds.
-/// Everything else (cutter, bed, sampling) is common to all cases, so one rock a seed serves them all.
+/// What a `study.toml` says: cases (cutting speed, depth of cut, back rake) from a grid or a table, times a list of
+/// seeds. Cutter and sampling are common to all cases. Cut and bed are too, unless `[by_depth]` sizes them by the depth
+/// of each case, so that all cuts travel the same number of depths and their maxima compare.
+///
+/// A rock is made for each size of bed and seed, and serves every case of that size.
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,29 +15,57 @@
 
 namespace campaigns {
 
-struct Study {
-  dem2d::CutCase common;              ///< speed, depth and rake are filled in case by case
+/// Every combination of these; no value twice.
+struct Grid {
   std::vector<double> cutter_speeds;  ///< [m/s]
   std::vector<double> depths_of_cut;  ///< [m]
   std::vector<double> back_rakes;     ///< [rad]
+};
+
+/// One case an index; no case twice.
+struct Table {
+  std::vector<double> cutter_speed;  ///< [m/s]
+  std::vector<double> depth_of_cut;  ///< [m]
+  std::vector<double> back_rake;     ///< [rad]
+};
+
+/// Sizes in depths of cut, each with the least it may be.
+struct ByDepth {
+  double cut_length_depths = 0.0;  ///< travel of the cutter [1]
+  double bed_height_depths = 0.0;  ///< [1]
+  double bed_beyond_depths = 0.0;  ///< rock past the end of the cut [1]
+  double cut_length_least = 0.0;   ///< [m]
+  double bed_height_least = 0.0;   ///< [m]
+  double bed_beyond_least = 0.0;   ///< [m]
+};
+
+struct Study {
+  dem2d::CutCase common;   ///< speed, depth and rake, and what `by_depth` sizes, are filled in case by case
+  std::string table_file;  ///< as written, relative to the study; empty: the cases are those of the grid
+  Grid grid;
+  Table table;  ///< read from `table_file`
+  std::optional<ByDepth> by_depth;
   std::vector<int> seeds{1};
 };
 
 /// One cut to be made.
 struct Job {
-  int case_number = 0;  ///< from 1, speed slowest, then depth, then rake
+  int case_number = 0;  ///< from 1, in the order of the table; of a grid: speed slowest, then depth, then rake
   int seed = 0;
   dem2d::CutCase cut;
 };
 
-/// Throws `base::InputError` for wrong values, repeated grid values or seeds, and for any case that does not fit its
-/// bed.
+/// Throws `base::InputError` for wrong values, repeated values, cases or seeds, sizes given twice, and for any case
+/// that does not fit its bed.
 Study read_study(const std::filesystem::path& path);
 
-/// The study as TOML text with the rock inside: two studies with the same text ask for the same runs.
+/// The study as TOML text with table and rock inside: two studies with the same text ask for the same runs.
 std::string resolved_toml(const Study& study);
 
 /// All cases times all seeds, in order of case number, then seed.
 std::vector<Job> jobs(const Study& study);
+
+/// Warnings of the cases (`dem2d::warnings`), each once.
+std::vector<std::string> warnings(const Study& study);
 
 }  // namespace campaigns

@@ -1,37 +1,29 @@
-// bitrock campaign: a grid of cuts, resumable, one cut a core.
+// bitrock campaign: many cuts, resumable, one cut a core.
+#include "cli/campaign.hpp"
+
 #include <algorithm>
-#include <memory>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
-#include "campaigns/features.hpp"
+#include "campaigns/accepted.hpp"
+#include "campaigns/collect.hpp"
+#include "campaigns/plan.hpp"
 #include "campaigns/runner.hpp"
-#include "cli/command.hpp"
 
 namespace cli {
 
 namespace {
 
-struct Options {
-  CommonOptions common;
-  std::string study_file, folder;
+struct RunFlags {
+  CampaignOptions campaign;
   int workers = cores();
   std::string shard = "1/1";
+  std::vector<std::string> accept;
 };
 
-nlohmann::json as_json(const campaigns::Status& status) {
-  return {{"cases", status.cases},
-          {"done", status.done},
-          {"failed", status.failed},
-          {"remaining", status.remaining},
-          {"core_seconds", status.core_seconds}};
-}
-
-void print(const Options& options, const campaigns::Status& status) {
-  say(options.common, "{} of {} runs done, {} failed, {} remaining; {} of one core spent\n", status.done, status.cases,
-      status.failed, status.remaining, base::readable_duration(status.core_seconds));
-  write_json(options.common, as_json(status));
+nlohmann::json or_null(const std::optional<double>& value) {
+  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
 }
 
 /// "i/n" with 1 <= i <= n.
@@ -42,41 +34,55 @@ void parse_shard(const std::string& text, campaigns::RunOptions& run) {
   if (!good) throw base::InputError(fmt::format("--shard {} (write i/n with 1 <= i <= n, e.g. 2/8)", text));
 }
 
-void print_job(const campaigns::JobReport& report, double core_seconds, int workers) {
-  const campaigns::Job& job = *report.job;
-  const std::string name =
-      fmt::format("case {} seed {}: {:g} m/s, {:g} mm, {:g} deg", job.case_number, job.seed, job.cut.cutter_speed,
-                  base::in_units(job.cut.depth_of_cut, base::mm), base::in_units(job.cut.back_rake, base::deg));
-  const double left = core_seconds / report.share_done * (1.0 - report.share_done) / workers;
-  if (report.failed) {
-    fmt::print("[{}/{}] {} FAILED: {}\n", report.finished, report.total, name, report.message);
+std::string described(const campaigns::Job& job) {
+  return fmt::format("case {} seed {}: {:g} m/s, {:g} mm, {:g} deg", job.case_number, job.seed, job.cut.cutter_speed,
+                     base::in_units(job.cut.depth_of_cut, base::mm), base::in_units(job.cut.back_rake, base::deg));
+}
+
+void print_job(const campaigns::JobReport& report) {
+  const std::string place = fmt::format("[{}/{}] {}", report.finished, report.total, described(*report.job));
+  if (report.elsewhere) {
+    fmt::print("{} done by another runner\n", place);
+  } else if (report.failed) {
+    fmt::print("{} FAILED: {}\n", place, report.message);
   } else {
-    fmt::print("[{}/{}] {} in {:.1f} s; about {} left\n", report.finished, report.total, name, report.wall_time,
-               base::readable_duration(left));
+    fmt::print("{} in {:.1f} s; about {} left\n", place, report.wall_time, base::readable_duration(report.time_left));
   }
   std::fflush(stdout);
 }
 
-void run_campaign(const Options& options) {
-  const campaigns::Study study = campaigns::read_study(options.study_file);
-  campaigns::RunOptions run{.workers = options.workers};
-  parse_shard(options.shard, run);
+void accept_tables(const RunFlags& flags, const campaigns::Study& study) {
+  if (flags.accept.empty()) return;
+  campaigns::open_folder(study, flags.campaign.folder);
+  for (const std::string& table : flags.accept) {
+    const campaigns::Acceptance accepted = campaigns::keep_accepted(study, flags.campaign.folder, table);
+    say(flags.campaign.common, "{}: {} rows accepted, {} of no job of this study; {} accepted in all\n", table,
+        accepted.added, accepted.all.strangers, accepted.all.rows.size());
+    for (const std::string& warning : accepted.all.warnings) warn(flags.campaign.common, warning);
+  }
+}
+
+void run_campaign(const RunFlags& flags) {
+  const CampaignOptions& options = flags.campaign;
+  const campaigns::Study study = study_of(options);
+  campaigns::RunOptions run{.workers = flags.workers};
+  parse_shard(flags.shard, run);
   const std::filesystem::path folder = options.folder;
+  if (options.common.check) {
+    require_outputs(options.common, {options.study_file}, {});
+    return print_plan(options, study, campaigns::typical_ns_per_disc_step);
+  }
   require_outputs(options.common, {options.study_file, folder / "study.toml", folder / "features.csv"}, {});
-  if (options.common.check) return print(options, campaigns::status(study, options.folder));
-  double core_seconds = 0.0;  // of the jobs of this call
+  accept_tables(flags, study);
   if (!options.common.quiet) {
-    run.on_job = [&](const campaigns::JobReport& report) {
-      core_seconds += report.wall_time;
-      print_job(report, core_seconds, std::min(options.workers, report.total));
-    };
+    run.on_job = print_job;
     run.on_stage = [](const std::string& text) {
       fmt::print("{}\n", text);
       std::fflush(stdout);
     };
   }
-  campaigns::run(study, options.folder, run);
-  const campaigns::Status status = campaigns::status(study, options.folder);
+  campaigns::run(study, folder, run);
+  const campaigns::Status status = campaigns::status(study, folder);
   print(options, status);
   if (status.failed > 0) {
     throw base::SimulationError(
@@ -85,49 +91,114 @@ void run_campaign(const Options& options) {
   }
 }
 
-void collect(const Options& options) {
+void show_status(const CampaignOptions& options) {
+  require_outputs(options.common, {options.study_file}, {});
+  const campaigns::Survey survey = campaigns::look(campaigns::read_study(options.study_file), options.folder);
+  for (const campaigns::RunningJob& running : survey.running) {
+    const campaigns::RunningRecord& record = running.record;
+    say(options.common, "running: {}, {:.0f} % after {} ({}, process {})\n", described(running.job),
+        100.0 * record.share_done, base::readable_duration(std::max(0.0, campaigns::now() - record.started)),
+        record.host, record.pid);
+  }
+  print(options, survey.status);
+}
+
+void collect(const CampaignOptions& options) {
+  const std::filesystem::path folder = options.folder;
+  require_outputs(options.common, {options.study_file}, {});
   const campaigns::Study study = campaigns::read_study(options.study_file);
-  const campaigns::Status status = campaigns::status(study, options.folder);
-  if (status.done == 0)
+  const campaigns::Status status = campaigns::status(study, folder);
+  const campaigns::Collection collection = campaigns::collect(study, folder);
+  if (collection.rows.empty()) {
     throw base::InputError(
         fmt::format("{}: no finished runs to collect (first: bitrock campaign run)", options.folder));
-  const auto rows = campaigns::collect(study, options.folder);
-  const std::filesystem::path folder = options.folder;
-  base::write_whole(folder / "features.csv", campaigns::features_csv(rows));
-  base::write_whole(folder / "features_mean.csv", campaigns::features_mean_csv(rows));
-  say(options.common, "{} rows -> {}, {}\n", rows.size(), (folder / "features.csv").string(),
+  }
+  for (const std::string& warning : collection.warnings) warn(options.common, warning);
+  base::write_whole(folder / "features.csv", campaigns::features_csv(collection.rows));
+  base::write_whole(folder / "features_mean.csv", campaigns::features_mean_csv(collection.rows));
+  say(options.common, "{} rows -> {}, {}\n", collection.rows.size(), (folder / "features.csv").string(),
       (folder / "features_mean.csv").string());
   print(options, status);
 }
 
-CLI::App* add_action(CLI::App& campaign, const std::string& name, const std::string& meaning,
-                     const std::shared_ptr<Options>& options) {
-  CLI::App* command = campaign.add_subcommand(name, meaning);
-  command->add_option("study", options->study_file, "study file, e.g. campaigns/demo.toml")->required();
-  command->add_option("--dir", options->folder, "folder of the campaign")->required()->check(not_empty());
-  add_common(*command, options->common);
-  return command;
+void add_run(CLI::App& campaign) {
+  auto flags = std::make_shared<RunFlags>();
+  CLI::App* command =
+      add_campaign_action(campaign, "run", "run what is not done yet; stop and repeat at will", flags->campaign);
+  add_campaign_folder(*command, flags->campaign);
+  command->add_option("--jobs", flags->workers, "cuts at a time, one core each")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--shard", flags->shard, "only every n-th job, beginning with the i-th: i/n")
+      ->capture_default_str();
+  command
+      ->add_option("--accept", flags->accept,
+                   "rows of this features.csv whose hash is that of a job are done (repeatable)")
+      ->allow_extra_args(false)
+      ->check(not_empty());
+  command->add_flag("--check", flags->campaign.common.check, "print the plan, and stop");
+  command->callback([flags] { run_campaign(*flags); });
 }
 
 }  // namespace
 
+campaigns::Study study_of(const CampaignOptions& options) {
+  campaigns::Study study = campaigns::read_study(options.study_file);
+  for (const std::string& warning : campaigns::warnings(study)) warn(options.common, warning);
+  return study;
+}
+
+CLI::App* add_campaign_action(CLI::App& campaign, const std::string& name, const std::string& meaning,
+                              CampaignOptions& options) {
+  CLI::App* command = campaign.add_subcommand(name, meaning);
+  command->add_option("study", options.study_file, "study file, e.g. campaigns/demo.toml")->required();
+  add_common(*command, options.common);
+  return command;
+}
+
+void add_campaign_folder(CLI::App& action, CampaignOptions& options) {
+  action.add_option("--dir", options.folder, "folder of the campaign")->required()->check(not_empty());
+}
+
+nlohmann::json as_json(const campaigns::Status& status) {
+  return {{"cases", status.cases},
+          {"done", status.done},
+          {"running", status.running},
+          {"failed", status.failed},
+          {"remaining", status.remaining},
+          {"core_seconds", status.core_seconds},
+          {"core_seconds_left", or_null(status.core_left)},
+          {"time_left_s", or_null(status.time_left)}};
+}
+
+void print(const CampaignOptions& options, const campaigns::Status& status) {
+  std::string rest;
+  if (status.time_left && *status.time_left > 0.0) {
+    rest = fmt::format("; about {} left", base::readable_duration(*status.time_left));
+  } else if (status.core_left && *status.core_left > 0.0) {
+    rest = fmt::format("; about {} of one core left, nobody works on it", base::readable_duration(*status.core_left));
+  }
+  say(options.common, "{} of {} runs done, {} running, {} failed, {} remaining; {} of one core spent{}\n", status.done,
+      status.cases, status.running, status.failed, status.remaining, base::readable_duration(status.core_seconds),
+      rest);
+  write_json(options.common, as_json(status));
+}
+
 void add_campaign(CLI::App& app) {
-  auto options = std::make_shared<Options>();
-  CLI::App* campaign = app.add_subcommand("campaign", "a grid of cuts, resumable");
+  CLI::App* campaign = app.add_subcommand("campaign", "many cuts, resumable");
   campaign->require_subcommand(1);
-  CLI::App* run = add_action(*campaign, "run", "run what is not done yet; stop and repeat at will", options);
-  run->add_option("--jobs", options->workers, "cuts at a time, one core each")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  run->add_option("--shard", options->shard, "only every n-th job, beginning with the i-th: i/n")
-      ->capture_default_str();
-  run->add_flag("--check", options->common.check, "read the study, say what is to be done, and stop");
-  run->callback([options] { run_campaign(*options); });
-  add_action(*campaign, "status", "what is done, failed, remaining", options)->callback([options] {
-    print(*options, campaigns::status(campaigns::read_study(options->study_file), options->folder));
-  });
-  add_action(*campaign, "collect", "write features.csv and features_mean.csv of the finished runs", options)
-      ->callback([options] { collect(*options); });
+  add_campaign_plan(*campaign);
+  add_run(*campaign);
+  auto options = std::make_shared<CampaignOptions>();
+  CLI::App* status = add_campaign_action(*campaign, "status", "what is done, running, failed, remaining", *options);
+  add_campaign_folder(*status, *options);
+  status->callback([options] { show_status(*options); });
+  auto collected = std::make_shared<CampaignOptions>();
+  CLI::App* collect_command = add_campaign_action(
+      *campaign, "collect", "write features.csv and features_mean.csv of the finished runs", *collected);
+  add_campaign_folder(*collect_command, *collected);
+  collect_command->callback([collected] { collect(*collected); });
+  add_campaign_submit(*campaign);
 }
 
 }  // namespace cli

@@ -58,6 +58,10 @@ void write_json(const CommonOptions& options, const nlohmann::json& result) {
     base::write_whole(options.json_file, result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
+void warn(const CommonOptions& options, const std::string& what) {
+  if (!options.quiet) fmt::print(stderr, "bitrock: warning: {}\n", what);
+}
+
 int cores() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }

@@ -38,6 +38,9 @@ void say(const CommonOptions& options, fmt::format_string<Args...> format, Args&
   if (!options.quiet) fmt::print(format, std::forward<Args>(args)...);
 }
 
+/// On standard error, unless --quiet: what the user should look at although the work goes on.
+void warn(const CommonOptions& options, const std::string& what);
+
 /// A callback that shows a progress line until it goes out of scope.
 class Progress {
  public:
@@ -73,5 +76,7 @@ void add_parity(CLI::App& app);
 void add_signal(CLI::App& app);
 void add_report(CLI::App& app);
 void add_snapshot(CLI::App& app);
+void add_animate(CLI::App& app);
+void add_export(CLI::App& app);
 
 }  // namespace cli

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "base/errors.hpp"
+#include "campaigns/plan.hpp"
 #include "cli/command.hpp"
 #include "dem2d/output/run_file.hpp"
 #include "dem2d/specimen/specimen_file.hpp"
@@ -18,9 +19,6 @@ struct Options {
   int frames = 0;
   bool without_energy = false;
 };
-
-// For the estimate of --check only [ns per disc and step]: measured on one core of a 2.6 GHz Xeon.
-constexpr double typical_ns_per_disc_step = 80.0;
 
 nlohmann::json features(const std::vector<double>& force) {
   const peaks::PeakStatistics s = peaks::peak_statistics(force);
@@ -47,7 +45,7 @@ void print_plan(const Options& options, const dem2d::CutCase& cut) {
   const dem2d::World world = dem2d::make_cut_world(cut, bed);
   const dem2d::CutSchedule plan = dem2d::plan_steps(cut, world.step);
   const double steps = static_cast<double>(plan.samples) * plan.steps_per_sample;
-  const double minutes = steps * static_cast<double>(bed.x.size()) * typical_ns_per_disc_step * 1e-9 / 60.0;
+  const double minutes = steps * static_cast<double>(bed.x.size()) * campaigns::typical_ns_per_disc_step * 1e-9 / 60.0;
   say(options.common,
       "discs {}, joints {}, critical step {:.3g} s, step {:.3g} s, steps {:.0f}, samples {}, duration {:.4g} s, about "
       "{:.2g} minutes on one core\n",
@@ -81,6 +79,7 @@ void print_energy(const Options& options, const dem2d::CutRun& run) {
 
 void run(const Options& options) {
   const dem2d::CutCase cut = dem2d::read_cut_case(options.case_file);
+  for (const std::string& warning : dem2d::warnings(cut)) warn(options.common, warning);
   if (options.common.check) {
     require_outputs(options.common, {options.case_file, options.specimen_file}, {});
     return print_plan(options, cut);

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   let_waiting_threads_sleep(argv);
   std::signal(SIGINT, on_stop_signal);
   std::signal(SIGTERM, on_stop_signal);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is then an error of its write, like a full disk
 
   CLI::App app{
       "bitrock: synthetic rock, cut by one PDC cutter, learnt by small networks, rebuilt as the force on a whole bit"};
@@ -64,6 +65,8 @@ int main(int argc, char** argv) {
   cli::add_signal(app);
   cli::add_report(app);
   cli::add_snapshot(app);
+  cli::add_animate(app);
+  cli::add_export(app);
 
   try {
     app.parse(argc, argv);

@@ -15,10 +15,16 @@ struct Options {
   CommonOptions common;
   std::string model_file;
   double speed = 0.0, depth_mm = 0.0, rake_deg = 0.0;
+  double cut_length_mm = 0.0;  ///< 0: not asked for
 };
 
 nlohmann::json as_json(const surrogate::PeakStatisticsPrediction& p) {
-  return {{"amax", p.amax}, {"amean", p.amean}, {"np1_per_m", p.np1}, {"np23_per_m", p.np23}, {"np4_per_m", p.np4}};
+  return {{"amax", p.amax}, {"amean", p.amean}, {"np1", p.np1}, {"np23", p.np23}, {"np4", p.np4}};
+}
+
+/// Peaks of a cut of this length [m].
+nlohmann::json counts(const surrogate::PeakStatisticsPrediction& p, double cut_length) {
+  return {{"np1", p.np1 * cut_length}, {"np23", p.np23 * cut_length}, {"np4", p.np4 * cut_length}};
 }
 
 void run(const Options& options) {
@@ -26,8 +32,9 @@ void run(const Options& options) {
   const surrogate::CutConditions conditions{options.speed, options.depth_mm * base::mm, options.rake_deg * base::deg};
   require_outputs(options.common, {options.model_file}, {});
   const surrogate::Prediction prediction = surrogate::predict(model, conditions);
+  const double cut_length = options.cut_length_mm * base::mm;
   for (const auto& p : {prediction.x, prediction.y}) {
-    if (!std::isfinite(p.amax + p.amean + p.np1 + p.np23 + p.np4)) {
+    if (!std::isfinite(p.amax + p.amean + (p.np1 + p.np23 + p.np4) * (1.0 + cut_length))) {
       throw base::InputError(
           fmt::format("{}: no finite answer for these conditions (they are too far outside its training range)",
                       options.model_file));
@@ -42,10 +49,20 @@ void run(const Options& options) {
   for (const auto& [axis, p] : {std::pair{"x", prediction.x}, std::pair{"y", prediction.y}}) {
     say(options.common, "{}: A_max {:.4g} kN/m, A_mean {:.4g} kN/m, peaks per metre {:.4g} + {:.4g} + {:.4g}\n", axis,
         p.amax * 1e-3, p.amean * 1e-3, p.np1, p.np23, p.np4);
+    if (cut_length > 0.0) {
+      say(options.common, "   a cut of {:g} mm: {:.4g} + {:.4g} + {:.4g} peaks\n", options.cut_length_mm,
+          p.np1 * cut_length, p.np23 * cut_length, p.np4 * cut_length);
+    }
   }
-  write_json(options.common, {{"x", as_json(prediction.x)},
-                              {"y", as_json(prediction.y)},
-                              {"inside_training_range", prediction.inside_training_range}});
+  nlohmann::json result{{"x", as_json(prediction.x)},
+                        {"y", as_json(prediction.y)},
+                        {"units", {{"amax", "N/m"}, {"amean", "N/m"}, {"np1", "1/m"}, {"np23", "1/m"}, {"np4", "1/m"}}},
+                        {"inside_training_range", prediction.inside_training_range}};
+  if (cut_length > 0.0) {
+    result["cut"] = {
+        {"cut_length_m", cut_length}, {"x", counts(prediction.x, cut_length)}, {"y", counts(prediction.y, cut_length)}};
+  }
+  write_json(options.common, result);
 }
 
 }  // namespace
@@ -57,6 +74,8 @@ void add_predict(CLI::App& app) {
   command->add_option("--speed-m-per-s", options->speed, "cutter speed")->required()->check(finite_positive());
   command->add_option("--depth-mm", options->depth_mm, "depth of cut")->required()->check(finite_positive());
   command->add_option("--rake-deg", options->rake_deg, "back rake")->required()->check(finite());
+  command->add_option("--cut-length-mm", options->cut_length_mm, "also say how many peaks a cut of this length has")
+      ->check(finite_positive());
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -120,7 +120,8 @@ void add_fracture_picture(report::Page& page, const dem2d::RunFile& run) {
           ". A red or purple line is a joint with elements broken in tension or shear whose discs are still near "
           "each other; the legend counts all broken elements. Each piece that has come off has its own shade of "
           "blue, single grains are grey. Loose pieces drift "
-          "without gravity, as if carried off by the mud.",
+          "without gravity, as if carried off by the mud. Below: the forces, under the place where the tip of the "
+          "cutter was.",
       "Discs of synthetic rock with a cutter, chips and cracks");
 }
 

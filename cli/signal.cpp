@@ -39,6 +39,7 @@ void run(const Options& options) {
                                    {signal.time_s, signal.angle_rad, signal.axial_force_N, signal.torque_N_m}));
   const runtime::SignalSummary& s = signal.summary;
   const runtime::ClampTally& clamps = s.clamps;
+  const runtime::DrawTally& draws = s.draws;
   const double times_real_time = options.duration / wall;
   say(options.common, "{}: {:g} rpm, {:g} m/h, depth of cut {:.4g} mm per turn\n", bit.name, options.rpm,
       options.rop_m_per_h, s.depth_of_cut_m * 1e3);
@@ -50,6 +51,12 @@ void run(const Options& options) {
         "{}; rake too low {}, too high {} (of {} questions)\n",
         clamps.speed_below, clamps.speed_above, clamps.depth_below, clamps.depth_above, clamps.rake_below,
         clamps.rake_above, clamps.asked);
+  }
+  if (draws.mean_missed + draws.narrowed > 0) {
+    say(options.common,
+        "of {} windows, {} cannot have the mean peak the networks say, and {} hold so few peaks that these do not fill "
+        "them (a wider window_angle_deg helps)\n",
+        draws.drawn, draws.mean_missed, draws.narrowed);
   }
   say(options.common, "{} samples, {:.0f} times real time -> {}\n", signal.time_s.size(), times_real_time,
       options.output);
@@ -70,6 +77,12 @@ void run(const Options& options) {
                                 {"depth_above", clamps.depth_above},
                                 {"rake_below", clamps.rake_below},
                                 {"rake_above", clamps.rake_above}}},
+                              {"windows",
+                               {{"drawn", draws.drawn},
+                                {"mean_missed", draws.mean_missed},
+                                {"band_left", draws.band_left},
+                                {"narrowed", draws.narrowed},
+                                {"capped", draws.capped}}},
                               {"samples", signal.time_s.size()},
                               {"times_real_time", times_real_time}});
 }

@@ -1,10 +1,11 @@
-// bitrock snapshot: the fracture picture of a cut.
+// bitrock snapshot: the fracture picture of a cut, with the force history under it.
 #include "dem2d/output/snapshot.hpp"
 
 #include <memory>
 
 #include "base/files.hpp"
 #include "cli/command.hpp"
+#include "dem2d/output/frame_file.hpp"
 
 namespace cli {
 
@@ -13,11 +14,13 @@ namespace {
 struct Options {
   CommonOptions common;
   std::string run_file, output;
+  int frame = -1;  ///< -1: the last
   int width_px = 1400;
 };
 
 void run(const Options& options) {
-  const dem2d::RunFile file = dem2d::read_run(options.run_file);
+  dem2d::RunFile file = dem2d::read_run(options.run_file);
+  if (options.frame >= 0) file.run.frames = {dem2d::read_frame(base::Hdf5Reader(options.run_file), options.frame)};
   require_outputs(options.common, {options.run_file}, {options.output});
   base::write_whole(options.output, dem2d::draw_snapshot(file, options.width_px));
   say(options.common, "-> {}\n", options.output);
@@ -28,9 +31,13 @@ void run(const Options& options) {
 
 void add_snapshot(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("snapshot", "draw the rock at the end of a cut");
+  CLI::App* command = app.add_subcommand("snapshot", "draw the rock at the end of a cut, and the force on the cutter");
   command->add_option("run", options->run_file, "run.h5")->required();
   command->add_option("-o,--output", options->output, "PNG file to write")->default_val("snapshot.png");
+  command
+      ->add_option("--frame", options->frame,
+                   "another instant: 0 to N - 1 of a run made with `cut --frames N` (default: the end)")
+      ->check(CLI::Range(0, 9999));
   command->add_option("--width-px", options->width_px, "width of the picture")
       ->check(CLI::Range(400, 8000))
       ->capture_default_str();

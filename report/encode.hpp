@@ -1,6 +1,6 @@
 #pragma once
-/// Text and bytes made safe to stand inside the page: HTML text, JSON inside a script element, pictures inside an
-/// address. Everything a caller hands to this module passes through here once; nobody else writes raw text.
+/// Text made safe to stand inside the page: HTML text, JSON inside a script element, names. Everything a caller hands
+/// to this module passes through here once; nobody else writes raw text.
 
 #include <string>
 #include <string_view>
@@ -14,9 +14,6 @@ std::string html_text(std::string_view text);
 /// JSON text whose `<`, `>` and `&` are written as \u escapes: still the same JSON, but no value in it can end the
 /// script element that carries it (`</script>`, `<!--`) [HtmlStandard, sec. 4.12.1.3].
 std::string script_json(std::string_view json);
-
-/// Base64 with padding, without line breaks [Rfc4648, sec. 4].
-std::string base64(std::string_view bytes);
 
 /// Lower-case ASCII letters and digits, everything else one '-': a name for a file or an anchor. Never empty.
 std::string slug(std::string_view text);

@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
+#include "base/thin.hpp"
 #include "report/encode.hpp"
-#include "report/thin.hpp"
 
 namespace report {
 
@@ -69,7 +69,7 @@ bool is_line(Style style) {
 
 /// Markers, bands and bars are drawn whole.
 std::vector<std::size_t> drawn(const Series& series) {
-  return envelope(series.y, is_line(series.style) ? longest_whole_line : series.y.size());
+  return base::envelope(series.y, is_line(series.style) ? base::longest_whole_line : series.y.size());
 }
 
 Json error_bar(std::span<const double> half, std::span<const std::size_t> kept, const std::string& colour) {
@@ -264,7 +264,7 @@ std::string figure_json(const Plot& plot) {
 std::string thinning_note(const Plot& plot) {
   std::size_t given = 0, kept = 0;
   for (const Series& series : plot.series) {
-    if (!is_line(series.style) || series.y.size() <= longest_whole_line) continue;
+    if (!is_line(series.style) || series.y.size() <= base::longest_whole_line) continue;
     given += series.y.size();
     kept += drawn(series).size();
   }

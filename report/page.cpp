@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/base64.hpp"
 #include "base/errors.hpp"
 #include "report/embedded.hpp"
 #include "report/encode.hpp"
@@ -127,7 +128,8 @@ void Page::picture(std::string_view png_bytes, const std::string& caption, const
   }
   body_ += fmt::format(
       "<figure>\n<img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">\n{}</figure>\n",
-      html_text(alt), png_word(png_bytes, 16), png_word(png_bytes, 20), base64(png_bytes), figure_caption(caption));
+      html_text(alt), png_word(png_bytes, 16), png_word(png_bytes, 20), base::base64(png_bytes),
+      figure_caption(caption));
 }
 
 std::string Page::plot_html(const Plot& plot, bool with_legend) {

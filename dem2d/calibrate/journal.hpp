@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "dem2d/calibrate/file_lock.hpp"
+#include "base/file_lock.hpp"
 #include "dem2d/calibrate/properties.hpp"
 #include "dem2d/lab/lab_test.hpp"
 
@@ -48,7 +48,7 @@ class Journal {
     TestRecord record;
   };
   std::filesystem::path path_;
-  FileLock lock_;
+  base::FileLock lock_;
   double inputs_;
   std::vector<Row> rows_;
   mutable std::mutex mutex_;

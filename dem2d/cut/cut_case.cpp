@@ -18,6 +18,9 @@ using base::deg, base::mm, base::um;
 constexpr double depths_ahead = 3.0;
 constexpr double depths_below = 2.0;
 
+// Lengths that are just allowed stay so when they are written in millimetres and read back.
+constexpr double rounding = 1.0 + 1e-12;
+
 constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 }  // namespace
 
@@ -52,12 +55,12 @@ std::vector<base::Section> describe(CutCase& cut) {
 
 void check_cut_case(const CutCase& cut, const std::string& source) {
   const auto refuse = [&source](const std::string& what) { throw base::InputError(source + ": " + what); };
-  if (cut.depth_of_cut * (1.0 + depths_below) > cut.bed_height) {
+  if (cut.depth_of_cut * (1.0 + depths_below) > cut.bed_height * rounding) {
     refuse(fmt::format(
         "cut.depth_of_cut_mm = {:.4g} (at most a third of bed.height_mm = {:.4g}: the bottom must not carry the chip)",
         cut.depth_of_cut / mm, cut.bed_height / mm));
   }
-  if (cut.cut_length + depths_ahead * cut.depth_of_cut > cut.bed_length) {
+  if (cut.cut_length + depths_ahead * cut.depth_of_cut > cut.bed_length * rounding) {
     refuse(fmt::format(
         "cut.cut_length_mm = {:.4g} (with {:.4g} mm of depth at most {:.4g}: bed.length_mm = {:.4g} less three depths)",
         cut.cut_length / mm, cut.depth_of_cut / mm, (cut.bed_length - depths_ahead * cut.depth_of_cut) / mm,
@@ -77,6 +80,15 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
         "run.sampling_distance_um = {:.4g} (a cut of {:.4g} mm would have {:.3g} samples, at most {:.0e})",
         cut.sampling_distance / um, cut.cut_length / mm, cut.cut_length / cut.sampling_distance, most_samples));
   }
+}
+
+std::vector<std::string> warnings(const CutCase& cut) {
+  const double mean_diameter = cut.rock.radius_min + cut.rock.radius_max;
+  if (cut.depth_of_cut >= mean_diameter) return {};
+  return {fmt::format(
+      "cut.depth_of_cut_mm = {:.4g} is {:.2g} of a grain (mean diameter {:.4g} mm): the cutter ploughs through single "
+      "grains; take a rock of finer grains",
+      cut.depth_of_cut / mm, cut.depth_of_cut / mean_diameter, mean_diameter / mm)};
 }
 
 CutCase read_cut_case(const std::filesystem::path& path) {

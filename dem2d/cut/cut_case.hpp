@@ -41,6 +41,9 @@ CutCase read_cut_case(const std::filesystem::path& path);
 /// whose message starts with `source`.
 void check_cut_case(const CutCase& cut, const std::string& source);
 
+/// What is allowed but hardly wanted, in words: a depth of cut below one grain.
+std::vector<std::string> warnings(const CutCase& cut);
+
 /// Case and rock as one TOML text: everything the result depends on but the seed.
 std::string resolved_toml(const CutCase& cut);
 

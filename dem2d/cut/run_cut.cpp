@@ -21,6 +21,9 @@ namespace {
 // About a month on one core for a bed of a thousand discs; also keeps step counts far below what an int holds.
 constexpr double most_steps = 1e9;
 
+// In one step the cutter moves no more than this share of the smallest grain's diameter: a grain must feel it come.
+constexpr double motion_share = 0.01;
+
 // The cutter starts this far from the edge of the rock, so that nothing touches at the first step [m].
 constexpr double start_gap = 1e-6;
 
@@ -46,6 +49,16 @@ Frame take_frame(const World& world, double tip_x) {
           .radius = world.discs.radius,
           .id = world.discs.id,
           .fragment = label_fragments(world)};
+}
+
+void add_motion_and_joints(Frame& frame, const World& world) {
+  frame.velocity_x = world.discs.velocity_x;
+  frame.velocity_y = world.discs.velocity_y;
+  for (std::size_t k = 0; k < world.joints.disc1.size(); ++k) {
+    if (world.joints.bonded[k] == 0) continue;
+    frame.joint_disc1.push_back(world.discs.id[static_cast<std::size_t>(world.joints.disc1[k])]);
+    frame.joint_disc2.push_back(world.discs.id[static_cast<std::size_t>(world.joints.disc2[k])]);
+  }
 }
 
 double mean(const std::vector<double>& values) {
@@ -89,6 +102,13 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step) {
                     cut.cutter_speed, wanted * samples, critical_step, most_steps));
   }
   const int steps_per_sample = std::max(1, static_cast<int>(wanted));
+  const double motion = cut.sampling_distance / steps_per_sample, allowed = motion_share * 2.0 * cut.rock.radius_min;
+  if (motion > allowed) {
+    throw base::InputError(
+        fmt::format("cut.cutter_speed_m_per_s = {:.4g}: the cutter would move {:.3g} um in a step of {:.3g} s (at most "
+                    "{:.3g} um, a hundredth of the smallest grain; a slower cut moves less)",
+                    cut.cutter_speed, motion * 1e6, motion / cut.cutter_speed, allowed * 1e6));
+  }
   return {.step = sample_time / steps_per_sample,
           .steps_per_sample = steps_per_sample,
           .samples = std::llround(cut.cut_length / cut.sampling_distance)};
@@ -127,6 +147,7 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
     const bool frame_due = options.frames > 0 && sample * options.frames / schedule.samples !=
                                                      (sample - 1) * options.frames / schedule.samples;
     if (frame_due || sample == schedule.samples) run.frames.push_back(take_frame(world, tip_x));
+    if (frame_due) add_motion_and_joints(run.frames.back(), world);
     if (progress) progress(static_cast<double>(sample) * interval, static_cast<double>(schedule.samples) * interval);
   }
 

@@ -25,6 +25,10 @@ struct Frame {
   std::vector<double> x, y, radius;  ///< [m]
   std::vector<int> id;
   std::vector<int> fragment;  ///< discs with the same number hang together by bonded joints; 0 is the largest
+
+  // only when frames were asked for, because they double the size
+  std::vector<double> velocity_x, velocity_y;  ///< half a step before `time` [m/s]
+  std::vector<int> joint_disc1, joint_disc2;   ///< ids of the discs that bonded joints hold together
 };
 
 struct CutRun {
@@ -67,7 +71,8 @@ struct CutSchedule {
   int steps_per_sample;
   long long samples;
 };
-/// Throws `InputError` when the cut would take more than 1e9 steps.
+/// Throws `InputError` when the cut would take more than 1e9 steps, or the cutter would move more than a hundredth of
+/// the smallest grain in one.
 CutSchedule plan_steps(const CutCase& cut, double critical_step);
 
 /// Throws `SimulationError` or, when stopped by the user, `Interrupted`.

@@ -5,32 +5,52 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/errors.hpp"
+#include "base/thin.hpp"
 
 namespace dem2d {
 
 Picture Picture::of_world(const Frame& frame, int width_px) {
-  const double scale = (width_px - frame.left - frame.right) / (frame.x_high - frame.x_low);
-  const int height_px = static_cast<int>(frame.top + frame.bottom + (frame.y_high - frame.y_low) * scale);
-  return {frame, scale, scale, width_px, height_px};
+  const int drawn_px = std::max(width_px, least_drawn_width_px);
+  const double scale = (drawn_px - frame.left - frame.right) / (frame.x_high - frame.x_low);
+  Picture picture(width_px, frame.top + frame.bottom + (frame.y_high - frame.y_low) * scale,
+                  static_cast<double>(width_px) / drawn_px);
+  picture.show(frame);
+  return picture;
 }
 
 Picture Picture::of_curves(const Frame& frame, int width_px, int height_px) {
-  return {frame, (width_px - frame.left - frame.right) / (frame.x_high - frame.x_low),
-          (height_px - frame.top - frame.bottom) / (frame.y_high - frame.y_low), width_px, height_px};
+  const double shrink = std::min(1.0, static_cast<double>(width_px) / least_drawn_width_px);
+  Picture picture(width_px, height_px / shrink, shrink);
+  picture.show(frame);
+  return picture;
 }
 
-Picture::Picture(const Frame& frame, double scale_x, double scale_y, int width_px, int height_px)
-    : frame_(frame),
-      scale_x_(scale_x),
-      scale_y_(scale_y),
-      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, height_px), cairo_surface_destroy),
-      cairo_(cairo_create(surface_.get()), cairo_destroy) {
+Picture Picture::panel(const Frame& frame) const {
+  Picture panel = *this;
+  panel.show(frame);
+  return panel;
+}
+
+Picture::Picture(int width_px, double height_px, double shrink)
+    : width_px_(width_px / shrink),
+      height_px_(height_px),
+      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, static_cast<int>(height_px * shrink)),
+               cairo_surface_destroy) {
+  cairo_surface_set_device_scale(surface_.get(), shrink, shrink);
+  cairo_ = {cairo_create(surface_.get()), cairo_destroy};
   cairo_set_source_rgb(cairo(), 1.0, 1.0, 1.0);
   cairo_paint(cairo());
   cairo_select_font_face(cairo(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+}
+
+void Picture::show(const Frame& frame) {
+  frame_ = frame;
+  scale_x_ = (width_px_ - frame.left - frame.right) / (frame.x_high - frame.x_low);
+  scale_y_ = (height_px_ - frame.top - frame.bottom) / (frame.y_high - frame.y_low);
 }
 
 double Picture::px(double x) const {
@@ -47,6 +67,12 @@ void Picture::use(const Colour& colour) const {
 
 void Picture::font_size(double pixels) const {
   cairo_set_font_size(cairo(), pixels);
+}
+
+double Picture::text_width(const std::string& words) const {
+  cairo_text_extents_t extents;
+  cairo_text_extents(cairo(), words.c_str(), &extents);
+  return extents.x_advance;
 }
 
 void Picture::text(double x, double y, const std::string& text) const {
@@ -94,47 +120,59 @@ std::string Picture::png() const {
   return png;
 }
 
+namespace {
+
+struct Piece {
+  int discs = 0;
+  int lowest_id = 0;
+};
+
+std::vector<Piece> pieces_of(const DrawnDiscs& discs) {
+  const int count = discs.fragment.empty() ? 0 : *std::max_element(discs.fragment.begin(), discs.fragment.end()) + 1;
+  std::vector<Piece> pieces(static_cast<std::size_t>(count), Piece{.lowest_id = std::numeric_limits<int>::max()});
+  for (std::size_t i = 0; i < discs.fragment.size(); ++i) {
+    Piece& piece = pieces[static_cast<std::size_t>(discs.fragment[i])];
+    ++piece.discs;
+    piece.lowest_id = std::min(piece.lowest_id, discs.id[i]);
+  }
+  return pieces;
+}
+
+const Colour& fill_of(int number, const Piece& piece) {
+  if (number == 0) return rock_fill;
+  if (piece.discs == 1) return dust_fill;
+  return chip_fills[static_cast<std::size_t>(piece.lowest_id) % std::size(chip_fills)];
+}
+
+}  // namespace
+
 void draw_discs(const Picture& picture, const DrawnDiscs& discs) {
   cairo_t* cairo = picture.cairo();
-  const int pieces = discs.fragment.empty() ? 0 : *std::max_element(discs.fragment.begin(), discs.fragment.end()) + 1;
-  std::vector<int> size(static_cast<std::size_t>(pieces), 0);
-  for (const int piece : discs.fragment) ++size[static_cast<std::size_t>(piece)];
+  const std::vector<Piece> pieces = pieces_of(discs);
   for (std::size_t i = 0; i < discs.x.size(); ++i) {
-    const int piece = discs.fragment[i];
-    const bool dust = size[static_cast<std::size_t>(piece)] == 1;
-    cairo_arc(cairo, picture.px(discs.x[i]), picture.py(discs.y[i]), discs.radius[i] * picture.pixels_per_unit(), 0.0,
-              2.0 * std::numbers::pi);
-    picture.use(piece == 0 ? rock_fill : dust ? dust_fill : chip_fills[piece % std::size(chip_fills)]);
+    const double radius_px = discs.radius[i] * picture.pixels_per_unit();
+    cairo_new_path(cairo);
+    cairo_arc(cairo, picture.px(discs.x[i]), picture.py(discs.y[i]), radius_px, 0.0, 2.0 * std::numbers::pi);
+    picture.use(fill_of(discs.fragment[i], pieces[static_cast<std::size_t>(discs.fragment[i])]));
     cairo_fill_preserve(cairo);
     picture.use(rock_line);
-    cairo_set_line_width(cairo, 0.6);
+    cairo_set_line_width(cairo, std::min(0.6, 0.1 * radius_px));  // small grains keep their colour
     cairo_stroke(cairo);
   }
 }
 
 void draw_cracks(const Picture& picture, const DrawnDiscs& discs, std::span<const Crack> cracks) {
-  std::vector<int> place(static_cast<std::size_t>(discs.born), -1);
-  for (std::size_t i = 0; i < discs.id.size(); ++i) {
-    if (discs.id[i] >= 0 && discs.id[i] < discs.born)
-      place[static_cast<std::size_t>(discs.id[i])] = static_cast<int>(i);
-  }
-  const auto find = [&](int id) { return id >= 0 && id < discs.born ? place[static_cast<std::size_t>(id)] : -1; };
-  cairo_set_line_width(picture.cairo(), 2.2);
+  const std::vector<std::optional<Segment>> faces = crack_faces(discs, cracks);
   cairo_set_line_cap(picture.cairo(), CAIRO_LINE_CAP_ROUND);
-  for (const Crack& crack : cracks) {
-    const int first = find(crack.disc1), second = find(crack.disc2);
-    if (first < 0 || second < 0) continue;
-    const auto a = static_cast<std::size_t>(first), b = static_cast<std::size_t>(second);
-    const double dx = discs.x[b] - discs.x[a], dy = discs.y[b] - discs.y[a], distance = std::hypot(dx, dy);
-    if (distance > 1.25 * (discs.radius[a] + discs.radius[b])) continue;
-    // the whole face of the joint: its elements share the line
-    const double share = discs.radius[a] / (discs.radius[a] + discs.radius[b]),
-                 half = std::min(discs.radius[a], discs.radius[b]);
-    const double x = discs.x[a] + share * dx, y = discs.y[a] + share * dy;
-    const double tx = -dy / distance * half, ty = dx / distance * half;
-    picture.use(crack.mode == 1 ? tension_line : shear_line);
-    picture.line(picture.px(x - tx), picture.py(y - ty), picture.px(x + tx), picture.py(y + ty));
+  for (std::size_t k = 0; k < cracks.size(); ++k) {
+    if (!faces[k]) continue;
+    const Segment& face = *faces[k];
+    const double length_px = std::hypot(face.x2 - face.x1, face.y2 - face.y1) * picture.pixels_per_unit();
+    cairo_set_line_width(picture.cairo(), std::clamp(0.15 * length_px, 1.0, 2.2));
+    picture.use(cracks[k].mode == 1 ? tension_line : shear_line);
+    picture.line(picture.px(face.x1), picture.py(face.y1), picture.px(face.x2), picture.py(face.y2));
   }
+  cairo_set_line_cap(picture.cairo(), CAIRO_LINE_CAP_BUTT);
 }
 
 void draw_polygon(const Picture& picture, const ConvexPolygon& outline, const Colour& fill) {
@@ -159,10 +197,22 @@ std::vector<double> ticks_within(double low, double high, const Axis& axis) {
 
 }  // namespace
 
-double tick_of(double span) {
-  const double power = std::pow(10.0, std::floor(std::log10(span / 5.0)));
-  const double times = span / 5.0 / power;
+double tick_of(double span, int at_least) {
+  const double most = span / at_least;
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  const double times = most / power;
   return (times < 2.0 ? 1.0 : times < 5.0 ? 2.0 : 5.0) * power;
+}
+
+void draw_curve(const Picture& picture, std::span<const double> x, std::span<const double> y) {
+  cairo_t* cairo = picture.cairo();
+  const double width_px = picture.px(picture.frame().x_high) - picture.px(picture.frame().x_low);
+  cairo_new_path(cairo);
+  // a line enters, turns twice and leaves in each column of pixels
+  for (const std::size_t k : base::envelope(y, 5 * static_cast<std::size_t>(width_px))) {
+    cairo_line_to(cairo, picture.px(x[k]), picture.py(y[k]));
+  }
+  cairo_stroke(cairo);
 }
 
 void draw_axes(const Picture& picture, const Axis& x_axis, const Axis& y_axis) {
@@ -177,20 +227,18 @@ void draw_axes(const Picture& picture, const Axis& x_axis, const Axis& y_axis) {
   for (const double at : ticks_within(frame.x_low, frame.x_high, x_axis)) {
     const double x = picture.px(at / x_axis.shown_per_unit);
     picture.line(x, bottom, x, bottom + 6.0);
-    picture.centred_text(x, bottom + 24.0, fmt::format("{:.6g}", at));
+    if (!x_axis.label.empty()) picture.centred_text(x, bottom + 24.0, fmt::format("{:.6g}", at));
   }
   for (const double at : ticks_within(frame.y_low, frame.y_high, y_axis)) {
     const double y = picture.py(at / y_axis.shown_per_unit);
     picture.line(left, y, left - 6.0, y);
     const std::string number = fmt::format("{:.6g}", at);
-    cairo_text_extents_t extents;
-    cairo_text_extents(cairo, number.c_str(), &extents);
     // long numbers end before the tick; all others keep one middle
-    picture.centred_text(std::min(left - 24.0, left - 9.0 - 0.5 * extents.width), y + 5.0, number);
+    picture.centred_text(std::min(left - 24.0, left - 9.0 - 0.5 * picture.text_width(number)), y + 5.0, number);
   }
   picture.centred_text(0.5 * (left + right), bottom + 48.0, x_axis.label);
   cairo_save(cairo);
-  cairo_translate(cairo, left - 48.0, 0.5 * (bottom + top));
+  cairo_translate(cairo, left - 56.0, 0.5 * (bottom + top));
   cairo_rotate(cairo, -0.5 * std::numbers::pi);
   picture.centred_text(0.0, 0.0, y_axis.label);
   cairo_restore(cairo);
@@ -215,9 +263,7 @@ void draw_legend(const Picture& picture, std::span<const LegendEntry> entries) {
     }
     picture.use(ink);
     picture.text(x + 26.0, y, entry.text);
-    cairo_text_extents_t extents;
-    cairo_text_extents(cairo, entry.text.c_str(), &extents);
-    x += 26.0 + extents.x_advance + 28.0;
+    x += 26.0 + picture.text_width(entry.text) + 28.0;
   }
 }
 

@@ -1,13 +1,14 @@
 #pragma once
-/// What the pictures of the engine share: colours, the page with its scales, discs by fragment, cracks where their
-/// discs are now, axes and legend, and the PNG at the end. Each picture (snapshot.cpp, lab/lab_picture.cpp) puts them
-/// together in its own way.
+/// What the pictures of the engine share: colours, a page of one or more panels with their scales, discs by fragment,
+/// cracks where their discs are now, curves, axes and legend, and the PNG at the end. Each picture (snapshot.cpp,
+/// lab/lab_picture.cpp) puts them together in its own way.
 
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "dem2d/output/crack_faces.hpp"
 #include "dem2d/step/world.hpp"
 
 struct _cairo_surface;  // as in cairo.h, which stays private to the sources
@@ -25,27 +26,38 @@ inline constexpr Colour dust_fill{0.62, 0.63, 0.65};
 inline constexpr Colour chip_fills[] = {{0.55, 0.75, 0.90}, {0.40, 0.62, 0.80}, {0.68, 0.84, 0.94}, {0.48, 0.70, 0.75}};
 inline constexpr Colour tension_line{0.84, 0.15, 0.12}, shear_line{0.30, 0.08, 0.52};
 inline constexpr Colour tool_fill{0.22, 0.24, 0.28}, ink{0.15, 0.15, 0.15};
+// Of curves, distinct for colour-blind readers [OkabeIto2008].
+inline constexpr Colour blue_line{0.00, 0.45, 0.70}, orange_line{0.84, 0.37, 0.00};
 
-/// A white page and the part of the world it shows, y upwards. The world may be metres, or strain and stress.
+/// Letters and margins suit a page at least this wide; a narrower one is drawn so and reduced [px].
+inline constexpr int least_drawn_width_px = 900;
+
+/// A panel on a white page and the part of the world it shows, y upwards. The world may be metres, or strain and
+/// stress. Copies and panels share the page.
 class Picture {
  public:
   struct Frame {
     double x_low, y_low, x_high, y_high;  ///< shown region, in units of the world
-    double left, top, right, bottom;      ///< margins [px]
+    double left, top, right, bottom;      ///< margins of the page [px]
   };
-  /// With one scale for both axes: the height of the page follows.
+  /// A page with one panel and one scale for both axes: the height of the page follows.
   static Picture of_world(const Frame& frame, int width_px);
   /// With a scale for each axis.
   static Picture of_curves(const Frame& frame, int width_px, int height_px);
+  /// Another panel on the same page, with a scale for each axis.
+  Picture panel(const Frame& frame) const;
 
   double px(double x) const;
   double py(double y) const;
   double pixels_per_unit() const { return scale_x_; }  ///< of x
+  double width_px() const { return width_px_; }        ///< of the page, as drawn
+  double height_px() const { return height_px_; }
   const Frame& frame() const { return frame_; }
   _cairo* cairo() const { return cairo_.get(); }
 
   void use(const Colour& colour) const;
   void font_size(double pixels) const;
+  double text_width(const std::string& text) const;                      ///< [px]
   void text(double x, double y, const std::string& text) const;          ///< begins at (x, y) [px]
   void centred_text(double x, double y, const std::string& text) const;  ///< middle at x [px]
   void line(double x1, double y1, double x2, double y2) const;           ///< [px]
@@ -59,28 +71,24 @@ class Picture {
   std::string png() const;
 
  private:
-  Picture(const Frame& frame, double scale_x, double scale_y, int width_px, int height_px);
+  /// An empty page; `shrink` turns pixels as drawn into pixels of the file.
+  Picture(int width_px, double height_px, double shrink);
+  void show(const Frame& frame);
   void begin_clip() const;
   void end_clip() const;
 
-  Frame frame_;
-  double scale_x_, scale_y_;  // [px per unit]
-  std::unique_ptr<_cairo_surface, void (*)(_cairo_surface*)> surface_;
-  std::unique_ptr<_cairo, void (*)(_cairo*)> cairo_;
+  Frame frame_{};
+  double width_px_, height_px_;       // as drawn
+  double scale_x_ = 1, scale_y_ = 1;  // [px per unit]
+  std::shared_ptr<_cairo_surface> surface_;
+  std::shared_ptr<_cairo> cairo_;
 };
 
-/// Discs at one instant; the spans are of one length.
-struct DrawnDiscs {
-  std::span<const double> x, y, radius;  ///< [m]
-  std::span<const int> id, fragment;
-  int born;  ///< discs at the start: ids are below this
-};
-
-/// Fragment 0 as rock, single discs as dust, the others as chips.
+/// Fragment 0 as rock, single discs as dust, the others as chips, each in the shade of its first disc, so that a chip
+/// keeps its colour from frame to frame.
 void draw_discs(const Picture& picture, const DrawnDiscs& discs);
 
-/// Cracks whose two discs are still near each other, drawn between where the discs are now; those of flown pieces would
-/// only cover the picture with lines.
+/// Cracks whose two discs have not parted, where the discs are now.
 void draw_cracks(const Picture& picture, const DrawnDiscs& discs, std::span<const Crack> cracks);
 
 void draw_polygon(const Picture& picture, const ConvexPolygon& outline, const Colour& fill);
@@ -88,11 +96,14 @@ void draw_polygon(const Picture& picture, const ConvexPolygon& outline, const Co
 struct Axis {
   double shown_per_unit;  ///< number at a tick = value * this
   double tick;            ///< between two ticks, as shown
-  std::string label;
+  std::string label;      ///< without one, ticks stand without numbers
 };
 
-/// A tick that gives a handful of numbers over `span` (as shown).
-double tick_of(double span);
+/// The largest of ..., 0.1, 0.2, 0.5, 1, 2, 5, 10, ... that fits at least this many times into `span` (as shown).
+double tick_of(double span, int at_least = 5);
+
+/// The line through the points, thinned to what can be seen.
+void draw_curve(const Picture& picture, std::span<const double> x, std::span<const double> y);
 
 void draw_axes(const Picture& picture, const Axis& x, const Axis& y);
 

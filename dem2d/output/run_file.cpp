@@ -9,6 +9,7 @@
 #include "base/hdf5_file.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "dem2d/output/frame_file.hpp"
 
 namespace dem2d {
 
@@ -64,16 +65,6 @@ void write_energies(base::Hdf5Writer& file, const std::vector<Energies>& energie
   write("injected", &Energies::injected, "net, by contacts that took over from joints so far");
 }
 
-void write_frame(base::Hdf5Writer& file, const std::string& group, const Frame& frame) {
-  file.array(group + "/time_s", std::vector<double>{frame.time}, "s", "instant of the frame");
-  file.array(group + "/tip_x_m", std::vector<double>{frame.tip_x}, "m", "cutter tip along the surface");
-  file.array(group + "/x_m", frame.x, "m", "disc centre");
-  file.array(group + "/y_m", frame.y, "m", "disc centre");
-  file.array(group + "/radius_m", frame.radius, "m", "disc radius");
-  file.array(group + "/id", frame.id, "1", "number the disc was born with");
-  file.array(group + "/fragment", frame.fragment, "1", "piece the disc hangs together with, 0 is the bed");
-}
-
 }  // namespace
 
 std::string cut_hash(const CutCase& cut, std::uint64_t seed) {
@@ -110,30 +101,58 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
   file.array("/force/y_N_per_m", run.force_y, "N/m", "push out of the rock, mean over the sampling interval");
   write_energies(file, run.energies);
   write_cracks(file, run.cracks);
-  for (std::size_t k = 0; k < run.frames.size(); ++k) {
-    const bool last = k + 1 == run.frames.size();
-    write_frame(file, last ? "/frames/last" : fmt::format("/frames/{:04d}", k), run.frames[k]);
-  }
+  write_frames(file, run.frames);
   file.attribute("status", "complete");
   file.save(path);
 }
 
+namespace {
+
+std::vector<Crack> read_cracks(const base::Hdf5Reader& file) {
+  const auto time = file.doubles("/cracks/time_s"), x = file.doubles("/cracks/x_m"), y = file.doubles("/cracks/y_m"),
+             angle = file.doubles("/cracks/normal_angle_rad"), length = file.doubles("/cracks/length_m");
+  const auto mode = file.ints("/cracks/mode"), disc1 = file.ints("/cracks/disc_1"), disc2 = file.ints("/cracks/disc_2");
+  for (const std::size_t size :
+       {x.size(), y.size(), angle.size(), length.size(), mode.size(), disc1.size(), disc2.size()}) {
+    if (size != time.size()) throw base::InputError(file.name() + ": crack arrays differ in length");
+  }
+  std::vector<Crack> cracks;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    cracks.push_back({time[k], x[k], y[k], angle[k], length[k], mode[k], disc1[k], disc2[k]});
+  }
+  return cracks;
+}
+
+void read_forces(const base::Hdf5Reader& file, CutRun& run) {
+  run.time = file.doubles("/force/time_s");
+  run.force_x = file.doubles("/force/x_N_per_m");
+  run.force_y = file.doubles("/force/y_N_per_m");
+  if (run.time.size() != run.force_x.size() || run.time.size() != run.force_y.size())
+    throw base::InputError(file.name() + ": force arrays differ in length");
+  if (run.time.empty()) throw base::InputError(file.name() + ": no force samples");
+  for (const std::vector<double>* values : {&run.time, &run.force_x, &run.force_y}) {
+    if (!std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); }))
+      throw base::InputError(file.name() + ": a force or time is not a finite number");
+  }
+}
+
+}  // namespace
+
 RunFile read_run(const std::filesystem::path& path) {
   const base::Hdf5Reader file(path);
   file.require_format(format_name, format_version);
-  const auto refuse = [&](const std::string& why) {
-    throw base::InputError(fmt::format("{}: {}", path.string(), why));
-  };
   RunFile result;
   result.status = file.text_attribute("status");
-  result.run.bed_origin = file.text_attribute("bed_origin");
-  if (result.status != "complete") refuse("the run is not complete (status " + result.status + ")");
+  if (result.status != "complete")
+    throw base::InputError(fmt::format("{}: the run is not complete (status {})", path.string(), result.status));
   result.config_toml = file.text_attribute("config_toml");
   result.config_hash = file.text_attribute("config_hash");
   result.seed = static_cast<std::uint64_t>(file.number_attribute("seed"));
   result.cut = parse_resolved(result.config_toml, path.string() + " (config_toml)");
+  result.frame_count = count_frames(file);
 
   CutRun& run = result.run;
+  run.bed_origin = file.text_attribute("bed_origin");
   run.discs = static_cast<int>(file.number_attribute("discs"));
   run.joints = static_cast<int>(file.number_attribute("joints"));
   run.step = file.number_attribute("step_s");
@@ -143,48 +162,14 @@ RunFile read_run(const std::filesystem::path& path) {
   run.mean_force_x = file.number_attribute("mean_force_x_N_per_m");
   run.mean_force_y = file.number_attribute("mean_force_y_N_per_m");
   run.specific_energy = file.number_attribute("specific_energy_Pa");
+  const bool measured = file.has_attribute("energy_residual_fraction");
+  if (measured) run.energy_residual_fraction = file.number_attribute("energy_residual_fraction");
   run.wall_time = file.number_attribute("wall_s");
   run.nanoseconds_per_disc_step = file.number_attribute("ns_per_disc_step");
-  run.time = file.doubles("/force/time_s");
-  run.force_x = file.doubles("/force/x_N_per_m");
-  run.force_y = file.doubles("/force/y_N_per_m");
-  if (run.time.size() != run.force_x.size() || run.time.size() != run.force_y.size())
-    refuse("force arrays differ in length");
-
-  for (const std::vector<double>* values : {&run.time, &run.force_x, &run.force_y}) {
-    if (!std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
-      refuse("a force or time is not a finite number");
-    }
-  }
-  const auto time = file.doubles("/cracks/time_s"), x = file.doubles("/cracks/x_m"), y = file.doubles("/cracks/y_m"),
-             angle = file.doubles("/cracks/normal_angle_rad"), length = file.doubles("/cracks/length_m");
-  const auto mode = file.ints("/cracks/mode"), disc1 = file.ints("/cracks/disc_1"), disc2 = file.ints("/cracks/disc_2");
-  for (const std::size_t size :
-       {x.size(), y.size(), angle.size(), length.size(), mode.size(), disc1.size(), disc2.size()}) {
-    if (size != time.size()) refuse("crack arrays differ in length");
-  }
-  for (std::size_t k = 0; k < time.size(); ++k) {
-    run.cracks.push_back({time[k], x[k], y[k], angle[k], length[k], mode[k], disc1[k], disc2[k]});
-    (mode[k] == 1 ? run.cracks_tensile : run.cracks_shear) += 1;
-  }
-
-  Frame frame;
-  const std::vector<double> tip = file.doubles("/frames/last/tip_x_m"), instant = file.doubles("/frames/last/time_s");
-  if (tip.size() != 1 || instant.size() != 1) refuse("the last frame has no cutter position");
-  frame.tip_x = tip[0];
-  frame.time = instant[0];
-  frame.x = file.doubles("/frames/last/x_m");
-  frame.y = file.doubles("/frames/last/y_m");
-  frame.radius = file.doubles("/frames/last/radius_m");
-  frame.id = file.ints("/frames/last/id");
-  frame.fragment = file.ints("/frames/last/fragment");
-  for (const std::size_t size : {frame.y.size(), frame.radius.size(), frame.id.size(), frame.fragment.size()}) {
-    if (size != frame.x.size()) refuse("frame arrays differ in length");
-  }
-  for (const int piece : frame.fragment) {
-    if (piece < 0 || piece >= run.discs) refuse("a fragment has an impossible number");
-  }
-  run.frames.push_back(std::move(frame));
+  read_forces(file, run);
+  run.cracks = read_cracks(file);
+  for (const Crack& crack : run.cracks) (crack.mode == 1 ? run.cracks_tensile : run.cracks_shear) += 1;
+  run.frames.push_back(read_frame(file, result.frame_count - 1));
   return result;
 }
 

@@ -24,8 +24,9 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
 struct RunFile {
   std::string config_toml, config_hash, status;
   std::uint64_t seed = 0;
-  CutCase cut;  ///< from config_toml
-  CutRun run;   ///< frames: the last one only
+  CutCase cut;          ///< from config_toml
+  CutRun run;           ///< frames: the last one only
+  int frame_count = 1;  ///< in the file (frame_file.hpp reads the others)
 };
 
 /// Throws `base::InputError` when the file is not a whole run.

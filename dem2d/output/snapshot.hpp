@@ -1,6 +1,7 @@
 #pragma once
-/// The fracture picture of a cut as PNG: discs by fragment, cracks where they opened, the cutter, a scale in
-/// millimetres.
+/// The fracture picture of a cut as PNG: discs by fragment, cracks where their discs are, the cutter, a scale in
+/// millimetres; under it, on the same scale along the cut, the force history as in [BitRock2026, fig. 2]: the force
+/// stands below the place where the tip of the cutter was. Later than the instant of the picture, it is drawn pale.
 
 #include <string>
 
@@ -8,7 +9,10 @@
 
 namespace dem2d {
 
-/// PNG bytes of the last frame. `width_px` sets the size; the height follows from the region shown.
+/// PNG bytes of one instant. `width_px` sets the size; the height follows from the region shown.
+std::string draw_snapshot(const RunFile& run, const Frame& frame, int width_px = 1400);
+
+/// The end of the cut.
 std::string draw_snapshot(const RunFile& run, int width_px = 1400);
 
 }  // namespace dem2d

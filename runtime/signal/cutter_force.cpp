@@ -18,7 +18,7 @@ void count(DrawTally& tally, const ComponentDraw& drawn) {
   tally.drawn += drawn.counts.total() > 0 ? 1 : 0;
   tally.mean_missed += drawn.fit.mean_missed ? 1 : 0;
   tally.band_left += drawn.fit.band_left ? 1 : 0;
-  tally.promoted += drawn.counts.promoted ? 1 : 0;
+  tally.narrowed += drawn.narrowed ? 1 : 0;
   tally.capped += drawn.counts.capped ? 1 : 0;
 }
 
@@ -28,7 +28,7 @@ void DrawTally::add(const DrawTally& other) {
   drawn += other.drawn;
   mean_missed += other.mean_missed;
   band_left += other.band_left;
-  promoted += other.promoted;
+  narrowed += other.narrowed;
   capped += other.capped;
 }
 

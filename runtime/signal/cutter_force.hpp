@@ -13,9 +13,9 @@ namespace runtime {
 /// How often the wishes of the statistics could not be granted. Counted per window and component.
 struct DrawTally {
   std::int64_t drawn = 0;        ///< windows drawn with at least one peak
-  std::int64_t mean_missed = 0;  ///< mean height other than amean
+  std::int64_t mean_missed = 0;  ///< mean height other than amean (band-preserving: over all windows of the statistics)
   std::int64_t band_left = 0;    ///< peaks outside their band (article's scaling only)
-  std::int64_t promoted = 0;     ///< a peak moved into the top band
+  std::int64_t narrowed = 0;     ///< pulses as wide as a window that should be wider: less than f / 2 peaks expected
   std::int64_t capped = 0;       ///< more than `largest_peak_count` peaks asked for
 
   void add(const DrawTally& other);

@@ -13,7 +13,9 @@ ComponentDraw draw_component(PeakWindow& window, const PeakStatistics& statistic
   const auto count = static_cast<std::size_t>(drawn.counts.total());
   if (count == 0) return drawn;
 
-  drawn.half_width = settings.pulse_width_factor * settings.window_angle / (2.0 * static_cast<double>(count));
+  const double half_width = settings.pulse_width_factor * settings.window_angle / (2.0 * drawn.counts.expected());
+  drawn.narrowed = half_width > settings.window_angle;
+  drawn.half_width = std::min(half_width, settings.window_angle);
   window.heights.resize(count);
   drawn.fit = draw_amplitudes(statistics, drawn.counts, settings.amplitude_fit, key, window.heights);
   if (window.peaks.size() < count) window.peaks.resize(count);

@@ -24,6 +24,7 @@ struct ComponentDraw {
   PeakCounts counts;
   FitOutcome fit;
   double half_width = 0.0;  ///< [rad] h; 0 when there are no peaks
+  bool narrowed = false;    ///< h is one window and should be more
 };
 
 /// A peak of both components: they share its angle.
@@ -44,14 +45,16 @@ struct PeakWindow {
 PeakWindow empty_window();
 
 /// **What** Draws the window of address `key` into `window`.
-/// **Equation** R_i = theta_T u_i, i = 1..N; heights as in `draw_amplitudes`; h = f theta_T / (2 N).
-/// **Symbols** N peaks of a component; u_i uniform in [0, 1); R_i [rad]; f [1]; theta_T [rad]; h [rad].
+/// **Equation** R_i = theta_T u_i, i = 1..N; heights as in `draw_amplitudes`; h = f theta_T / (2 nu), at most theta_T.
+/// **Symbols** N peaks of a component, nu expected; u_i uniform in [0, 1); R_i [rad]; f [1]; theta_T [rad]; h [rad].
 /// **Source** R_i: [BitRock2026, sec. 3.3], where the listing fills A[] but the text says R[].
-/// **Differences and validity** The article gives no pulse width. With f = 1 the pulses of a window, laid side by side,
-/// just fill it. The two components count separately; peak i of both has angle R_i, and as counting starts at the top
-/// band their high peaks fall together. Statistics must be `usable`; `path_radius` [m] above 0.
-/// With overlapping pulses added up the mean force of a window is h sum A_i / theta_T = f Amean / 2, for any N >= 1
-/// whose heights have the mean Amean.
+/// **Differences and validity** The article gives no pulse width. Here a pulse covers f / (np1 + np23 + np4) metres of
+/// cut, whatever the window: with f = 1 the pulses, laid side by side, just fill the windows. The two components count
+/// separately; peak i of both has angle R_i, and as counting starts at the top band their high peaks fall together.
+/// Statistics must be `usable`; `path_radius` [m] above 0.
+/// With overlapping pulses added up a window gives the mean force h sum A_i / theta_T, and as sum A_i has the mean
+/// nu Amean over the windows, all of them together give f Amean / 2, for any length of window. Only where nu < f / 2
+/// would a pulse reach beyond the next window: it is `narrowed`, and the mean force is smaller by the factor 2 nu / f.
 void draw_window(PeakWindow& window, const CutterStatistics& statistics, double path_radius,
                  const SignalSettings& settings, const WindowKey& key);
 

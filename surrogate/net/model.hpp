@@ -16,7 +16,7 @@ namespace surrogate {
 
 /// One input or output. In the unit of the file, because a model file is a door: scaled = (value - offset) / scale.
 struct Variable {
-  std::string name;     ///< as in features.csv, ends in its unit
+  std::string name;     ///< of `input_names` or `output_names`, ends in its unit
   std::string unit;     ///< as in the name
   double low = 0.0;     ///< smallest value seen in training, in `unit`
   double high = 0.0;    ///< largest value seen in training, in `unit`

@@ -103,7 +103,7 @@ void check_rows_together(const base::CsvTable& table, const TrainingData& data) 
 }  // namespace
 
 TrainingData read_training_data(const std::filesystem::path& path) {
-  const base::CsvTable table = base::read_csv(path);
+  const base::CsvTable table = base::read_csv(path, false, {"hash"});
   TrainingData data;
   data.file = path.filename().string();
   data.fingerprint = base::fingerprint_text(base::read_whole(path));

@@ -103,6 +103,7 @@ TEST_F(Errors, TrainingDataAndModels) {
            2, "half.json");
   }
   expect("predict " + model + " --speed-m-per-s 9 --depth-mm 2 --rake-deg 15", 0, "outside the training range");
+  expect("predict " + model + " --speed-m-per-s 1 --depth-mm 2 --rake-deg 15 --cut-length-mm 0", 2, "--cut-length-mm");
   expect("signal " + bit + " --model " + model + " --rpm 0 --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2, "rpm");
   expect("signal " + bit + " --model " + model + " --rpm nan --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2,
          "rpm");
@@ -131,6 +132,9 @@ TEST_F(Errors, AFolderOfAnotherStudyIsLeftAlone) {
   base::write_whole(dir / "camp" / "study.toml", "another study\n");
   expect("campaign run " + study + " --dir " + (dir / "camp").string(), 2, "holds runs of another study");
   expect("campaign run " + study + " --dir " + (dir / "new").string() + " --shard 3/2", 2, "write i/n");
+  expect("campaign collect " + study + " --dir " + (dir / "new").string(), 2, "there is no such folder");
+  expect("campaign status " + study + " --dir " + (dir / "new").string(), 2, "there is no such folder");
+  expect("campaign submit " + study + " --dir " + (dir / "new").string() + " --dry-run --tasks 3", 0, "3 tasks");
   expect("campaign collect " + study + " --dir " + (dir / "new").string(), 2, "no finished runs");
   expect("report " + (dir / "nothing").string(), 2, "is not a folder");
 }

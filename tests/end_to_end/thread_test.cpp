@@ -30,9 +30,9 @@ TEST(Thread, FromRockToReport) {
   EXPECT_GT(status["core_seconds"].get<double>(), 0.0);
 
   ASSERT_EQ(run("campaign collect " + study + " --dir " + camp).status, 0);
-  const base::CsvTable features = base::read_csv(fs::path(camp) / "features.csv");
+  const base::CsvTable features = base::read_csv(fs::path(camp) / "features.csv", false, {"hash"});
   EXPECT_EQ(features.rows(), 4u);
-  EXPECT_EQ(features.names.size(), 17u);
+  EXPECT_EQ(features.names.size(), 25u);
   EXPECT_GT(features.column("x_amax_N_per_m")[0], 0.0);
 
   // the table must say what `peaks` says of the same run file
@@ -49,11 +49,16 @@ TEST(Thread, FromRockToReport) {
   EXPECT_EQ(program::json(dir / "train.json")["outputs"].size(), 10u);
   ASSERT_EQ(run("parity " + model + " " + data + " --json " + (dir / "parity.json").string()).status, 0);
   EXPECT_TRUE(program::json(dir / "parity.json")["outputs"]["x_amax_N_per_m"].contains("rmse"));
-  ASSERT_EQ(run("predict " + model + " --speed-m-per-s 1.5 --depth-mm 2 --rake-deg 15 --json " +
+  ASSERT_EQ(run("predict " + model + " --speed-m-per-s 1.5 --depth-mm 2 --rake-deg 15 --cut-length-mm 250 --json " +
                 (dir / "predict.json").string())
                 .status,
             0);
-  EXPECT_GE(program::json(dir / "predict.json")["x"]["amax"].get<double>(), 0.0);
+  const auto predicted = program::json(dir / "predict.json");
+  EXPECT_GE(predicted["x"]["amax"].get<double>(), 0.0);
+  EXPECT_EQ(predicted["units"]["np23"], "1/m");
+  EXPECT_EQ(predicted["cut"]["cut_length_m"], 0.25);
+  EXPECT_GT(predicted["y"]["np4"].get<double>(), 0.0);
+  EXPECT_EQ(predicted["cut"]["y"]["np4"].get<double>(), predicted["y"]["np4"].get<double>() / 4.0);
   const auto signal = run("signal " BITROCK_SOURCE_DIR "/campaigns/bits/pdc15.toml --model " + model +
                           " --rpm 120 --rop-m-per-h 15 --duration-s 2 --rate-hz 500 -o " + camp +
                           "/bit_force.csv --json " + camp + "/bit_force.json");
@@ -99,12 +104,12 @@ TEST(Thread, ARockOfAnotherSeedIsNotUsed) {
   const std::string command =
       "campaign run " + (dir / "study.toml").string() + " --dir " + (dir / "camp").string() + " --jobs 2";
   ASSERT_EQ(run(command).status, 0);
-  fs::copy_file(dir / "camp/specimens/seed_3.h5", dir / "camp/specimens/seed_4.h5",
+  fs::copy_file(dir / "camp/specimens/24x12mm_seed_3.h5", dir / "camp/specimens/24x12mm_seed_4.h5",
                 fs::copy_options::overwrite_existing);
   fs::remove_all(dir / "camp/runs");
   ASSERT_EQ(run(command).status, 0);
   ASSERT_EQ(run("campaign collect " + (dir / "study.toml").string() + " --dir " + (dir / "camp").string()).status, 0);
-  const base::CsvTable features = base::read_csv(dir / "camp/features.csv");
+  const base::CsvTable features = base::read_csv(dir / "camp/features.csv", false, {"hash"});
   EXPECT_NE(features.column("x_amax_N_per_m")[0], features.column("x_amax_N_per_m")[1]);
 }
 

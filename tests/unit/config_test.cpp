@@ -95,6 +95,16 @@ TEST(Config, ResolvedTextReadsBackToTheSameValues) {
   EXPECT_EQ(again.radius, rock.radius);
 }
 
+TEST(Config, SaysWhatTheFileHas) {
+  const base::ConfigFile file = base::ConfigFile::from_text("a = 1\n[section]\nb = 2\n", "t.toml");
+  EXPECT_TRUE(file.has("", "a"));
+  EXPECT_TRUE(file.has("section"));
+  EXPECT_TRUE(file.has("section", "b"));
+  EXPECT_FALSE(file.has("section", "a"));
+  EXPECT_FALSE(file.has("a", "b")) << "a is no section";
+  EXPECT_FALSE(file.has("other", "b"));
+}
+
 TEST(Config, ArrayOfTables) {
   base::ConfigFile file =
       base::ConfigFile::from_text("[[rock]]\nradius_mm = 1\n[[rock]]\nradius_mm = -1\n", "rock.toml");

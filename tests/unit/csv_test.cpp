@@ -56,6 +56,20 @@ TEST(Csv, RefusesWithPlace) {
   EXPECT_TRUE(std::isnan(base::read_csv(write("a\nnan\n"), true).columns[0][0]));
 }
 
+TEST(Csv, ColumnsOfTextAreThoseTheReaderNames) {
+  // a hash may look like a number, and even like one that no double holds
+  const std::string text = base::csv_text({"a", "b"}, {{1.0, 2.5}, {3.0, 4.0}}, "hash", {"12e4567890123456", "0b"});
+  EXPECT_EQ(text, "a,b,hash\n1,3,12e4567890123456\n2.5,4,0b\n");
+  const base::CsvTable table = base::read_csv(write(text), false, {"hash", "of no interest"});
+  EXPECT_EQ(table.names, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(table.column("b"), (std::vector<double>{3.0, 4.0}));
+  EXPECT_EQ(table.texts.at("hash"), (std::vector<std::string>{"12e4567890123456", "0b"}));
+  EXPECT_FALSE(table.texts.contains("of no interest"));
+  const base::CsvTable first = base::read_csv(write("hash,a\nx,7\n"), false, {"hash"});
+  EXPECT_EQ(first.column("a")[0], 7.0);
+  EXPECT_EQ(message(text), "table.csv:2: column hash: '12e4567890123456' is not a number");
+}
+
 TEST(Csv, MissingColumnNamesTheNearest) {
   const base::CsvTable table = base::read_csv(write("depth_mm\n1\n"));
   EXPECT_THROW(table.column("dept_mm"), base::InputError);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/base64.hpp"
 #include "base/errors.hpp"
 #include "report/embedded.hpp"
 #include "report/encode.hpp"
@@ -169,7 +170,7 @@ TEST(Page, ColumnsOfNumbersAreSetToTheRight) {
 TEST(Page, PictureIsCarriedWithSizeAndWords) {
   const std::string text = html(full_page());
   EXPECT_TRUE(holds(text, "<img alt=\"cracks in rock\" width=\"7\" height=\"3\" src=\"data:image/png;base64," +
-                              report::base64(png()) + "\">"));
+                              base::base64(png()) + "\">"));
 }
 
 TEST(Page, RefusesWhatItCannotShow) {

@@ -11,7 +11,7 @@
 #include "base/errors.hpp"
 #include "report/figure_json.hpp"
 #include "report/legend.hpp"
-#include "report/thin.hpp"
+#include "base/thin.hpp"
 
 namespace {
 
@@ -137,7 +137,7 @@ TEST(FigureJson, LongLinesAreThinnedWithTheirLabelsAndSaySo) {
     line.labels.push_back(std::to_string(i));
   }
   const nlohmann::json trace = figure(plot)["data"][0];
-  ASSERT_LE(trace["x"].size(), report::longest_whole_line);
+  ASSERT_LE(trace["x"].size(), base::longest_whole_line);
   ASSERT_EQ(trace["x"].size(), trace["y"].size());
   ASSERT_EQ(trace["x"].size(), trace["text"].size());
   std::string label_of_peak;

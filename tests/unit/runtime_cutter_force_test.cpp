@@ -14,6 +14,7 @@ namespace {
 using runtime::Combine;
 using runtime_test::usual_pair;
 using runtime_test::usual_settings;
+using runtime_test::whole_pair;
 
 constexpr double radius = 0.1;  // [m]
 
@@ -100,7 +101,7 @@ TEST(PeakWindow, AreaIsTheSumOfHeightTimesHalfWidth) {
     runtime::SignalSettings settings = usual_settings();
     settings.pulse_width_factor = factor;
     for (int k = 0; k < 20; ++k) {
-      const runtime::PeakWindow window = drawn(settings, 1, k);
+      const runtime::PeakWindow window = drawn(settings, 1, k, whole_pair());
       double heights_x = 0.0, heights_y = 0.0;
       for (const runtime::Peak& peak : window.peaks) heights_x += peak.x, heights_y += peak.y;
       runtime::PulseTrain train = alone(window, settings.window_angle);
@@ -112,8 +113,8 @@ TEST(PeakWindow, AreaIsTheSumOfHeightTimesHalfWidth) {
       ASSERT_FALSE(window.x.fit.mean_missed || window.y.fit.mean_missed);
       EXPECT_NEAR(area_x, window.x.half_width * heights_x, 1e-12 * area_x);
       EXPECT_NEAR(area_y, window.y.half_width * heights_y, 1e-12 * area_y);
-      EXPECT_NEAR(area_x, 0.5 * factor * usual_pair().x.amean * settings.window_angle, 1e-12 * area_x);
-      EXPECT_NEAR(area_y, 0.5 * factor * usual_pair().y.amean * settings.window_angle, 1e-12 * area_y);
+      EXPECT_NEAR(area_x, 0.5 * factor * whole_pair().x.amean * settings.window_angle, 1e-12 * area_x);
+      EXPECT_NEAR(area_y, 0.5 * factor * whole_pair().y.amean * settings.window_angle, 1e-12 * area_y);
     }
   }
 }
@@ -231,28 +232,72 @@ TEST(CutterForce, MeanForceDoesNotDependOnTheWindow) {
     runtime::CutterForce cutter = make_cutter_force(settings, 1, radius);
     double area = 0.0, leak = 0.0;
     for (int k = 0; k < static_cast<int>(turns / window_angle); ++k) {
-      force(cutter, (k + 0.5) * window_angle);
+      force(cutter, (k + 0.5) * window_angle, whole_pair());
       area += runtime_test::integral(runtime_test::break_points(cutter.train, 0.0, window_angle),
                                      [&](double x) { return force_at(cutter.train, Combine::sum, x).x; });
       for (const runtime::PeakWindow& window : cutter.windows) leak = std::max(leak, window.x.half_width);
     }
     EXPECT_EQ(cutter.tally.mean_missed, 0);
     // each window has exactly its share; only pulses over the two outer ends, at most a few of amax h, are not whole
-    const double expected = 0.5 * usual_pair().x.amean * turns;
-    EXPECT_NEAR(area, expected, 2.0 * 2.0 * usual_pair().x.amax * leak);
+    const double expected = 0.5 * whole_pair().x.amean * turns;
+    EXPECT_NEAR(area, expected, 2.0 * 2.0 * whole_pair().x.amax * leak);
   }
+}
+
+TEST(PeakWindow, PulsesAreAsWideInShortWindowsAsInLongOnes) {
+  for (const double window_angle : {0.05, 0.3, 2.0}) {
+    runtime::SignalSettings settings = usual_settings();
+    settings.window_angle = window_angle;
+    for (int k = 0; k < 20; ++k) {
+      const runtime::PeakWindow window = drawn(settings, 1, k);
+      if (window.x.counts.total() == 0) continue;
+      EXPECT_FALSE(window.x.narrowed);
+      EXPECT_NEAR(2.0 * window.x.half_width * radius, 1.0 / (33.0 + 101.0 + 160.0), 1e-15);  // f = 1
+    }
+  }
+}
+
+TEST(PeakWindow, MeanForceHoldsOverWindowsThatAreOftenEmpty) {
+  // 40 peaks a metre on 15 mm: 0.6 peaks a window, four windows of ten empty
+  const runtime::PeakStatistics sparse{.amax = 2e5, .amean = 0.6e5, .np1 = 4.0, .np23 = 12.0, .np4 = 24.0};
+  runtime::SignalSettings settings = usual_settings();
+  settings.window_angle = 0.15;
+  const int windows = 20000;
+  double sum = 0.0, squares = 0.0;
+  for (int k = 0; k < windows; ++k) {
+    const runtime::PeakWindow window = drawn(settings, 1, k, {.x = sparse, .y = sparse});
+    double heights = 0.0;
+    for (const runtime::Peak& peak : window.peaks) heights += peak.x;
+    const double mean_force = window.x.half_width * heights / settings.window_angle;  // area as tested above
+    sum += mean_force, squares += mean_force * mean_force;
+  }
+  const double mean = sum / windows, variance = squares / windows - mean * mean;
+  EXPECT_NEAR(mean, 0.5 * sparse.amean, 4.0 * std::sqrt(variance / windows));
+}
+
+TEST(PeakWindow, APulseReachesNoFurtherThanTheNextWindow) {
+  const runtime::PeakStatistics rare{.amax = 2.0, .amean = 1.0, .np23 = 2.0};  // 0.2 peaks expected
+  runtime::SignalSettings settings = usual_settings();
+  int narrowed = 0;
+  for (int k = 0; k < 100; ++k) {
+    const runtime::PeakWindow window = drawn(settings, 1, k, {.x = rare});
+    if (window.x.counts.total() == 0) continue;
+    EXPECT_EQ(window.x.half_width, settings.window_angle);
+    narrowed += window.x.narrowed ? 1 : 0;
+  }
+  EXPECT_NEAR(narrowed, 20, 16);  // four standard deviations of 100 draws
 }
 
 TEST(CutterForce, TallyCountsWhatCouldNotBeGranted) {
   runtime::CutterForce cutter = make_cutter_force(usual_settings(), 1, radius);
-  const runtime::PeakStatistics alone{.amax = 2.0, .amean = 1.0, .np23 = 10.0};  // one peak, not in the top band
+  const runtime::PeakStatistics alone{.amax = 2.0, .amean = 1.0, .np1 = 10.0};  // one peak, of the top band
   const runtime::PeakStatistics crowd{.amax = 2.0, .amean = 1.0, .np1 = 1e5, .np23 = 1e5, .np4 = 1e5};
   enter_window(cutter, 0, {.x = alone, .y = crowd});
   EXPECT_EQ(cutter.tally.drawn, 6);
-  EXPECT_EQ(cutter.tally.promoted, 3);
   EXPECT_EQ(cutter.tally.mean_missed, 3);
   EXPECT_EQ(cutter.tally.capped, 3);
   EXPECT_EQ(cutter.tally.band_left, 0);
+  EXPECT_EQ(cutter.tally.narrowed, 0);
 }
 
 }  // namespace

@@ -20,6 +20,12 @@ inline runtime::CutterStatistics usual_pair() {
   return {.x = usual_statistics(), .y = {.amax = 2e5, .amean = 0.8e5, .np1 = 25.0, .np23 = 150.0, .np4 = 90.0}};
 }
 
+/// A whole number of peaks in every band on 25 mm of cut and its multiples: each window has exactly its mean.
+inline runtime::CutterStatistics whole_pair() {
+  return {.x = {.amax = 3e5, .amean = 1.1e5, .np1 = 40.0, .np23 = 120.0, .np4 = 160.0},
+          .y = {.amax = 2e5, .amean = 0.8e5, .np1 = 40.0, .np23 = 160.0, .np4 = 80.0}};
+}
+
 inline runtime::SignalSettings usual_settings() {
   runtime::SignalSettings settings;
   settings.window_angle = 1.0;

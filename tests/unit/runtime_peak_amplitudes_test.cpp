@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -25,7 +26,12 @@ struct Drawn {
 constexpr double amax = 3.7e5;
 
 Drawn drawn(const Case& c, AmplitudeFit fit, std::int64_t window) {
-  const runtime::PeakCounts counts{.n1 = c.n1, .n23 = c.n23, .n4 = c.n4};
+  const runtime::PeakCounts counts{.n1 = c.n1,
+                                   .n23 = c.n23,
+                                   .n4 = c.n4,
+                                   .nu1 = static_cast<double>(c.n1),
+                                   .nu23 = static_cast<double>(c.n23),
+                                   .nu4 = static_cast<double>(c.n4)};
   Drawn result{std::vector<double>(static_cast<std::size_t>(counts.total())), {}};
   result.outcome = draw_amplitudes({.amax = amax, .amean = c.mean * amax}, counts, fit,
                                    {.seed = 11, .cutter = 2, .window = window}, result.heights);
@@ -70,7 +76,7 @@ TEST(PeakAmplitudes, AMeanOutOfReachStopsAtTheEdgeOfTheBandsAndIsFlagged) {
   EXPECT_LE(*std::max_element(high.heights.begin(), high.heights.end()), amax);
 }
 
-TEST(PeakAmplitudes, OnePeakIsTheLargest) {
+TEST(PeakAmplitudes, OnePeakOfTheTopBandIsTheLargest) {
   const Drawn one = drawn({1, 0, 0, 0.4}, AmplitudeFit::band_preserving, 0);
   EXPECT_EQ(one.heights, std::vector<double>{amax});
   EXPECT_TRUE(one.outcome.mean_missed);
@@ -82,6 +88,61 @@ TEST(PeakAmplitudes, NoPeaksAndNoForce) {
   std::vector<double> heights(3, 1.0);
   draw_amplitudes({}, {.n1 = 1, .n23 = 1, .n4 = 1}, AmplitudeFit::band_preserving, {}, heights);
   EXPECT_EQ(heights, std::vector<double>(3, 0.0));
+}
+
+/// Heights of a window whose counts are rounded from these expected numbers.
+Drawn drawn_short(const std::array<double, 3>& expected, double relative_mean, AmplitudeFit fit, std::int64_t window) {
+  const runtime::PeakStatistics statistics{
+      .amax = amax, .amean = relative_mean * amax, .np1 = expected[0], .np23 = expected[1], .np4 = expected[2]};
+  const runtime::WindowKey key{.seed = 11, .cutter = 2, .window = window};
+  const runtime::PeakCounts counts = count_peaks(statistics, 1.0, key);
+  Drawn result{std::vector<double>(static_cast<std::size_t>(counts.total())), {}};
+  result.outcome = draw_amplitudes(statistics, counts, fit, key, result.heights);
+  EXPECT_EQ(in_band(result.heights, 0.75, 2.0), counts.n1);
+  EXPECT_EQ(in_band(result.heights, 0.25, 0.75), counts.n23);
+  return result;
+}
+
+TEST(PeakAmplitudes, AWindowWithoutAPeakOfTheTopBandHasNoneOfTheLargestHeight) {
+  int with_largest = 0;
+  const int windows = 4000;
+  for (int window = 0; window < windows; ++window) {
+    const std::vector<double> heights =
+        drawn_short({0.3, 2.1, 4.2}, 0.25, AmplitudeFit::band_preserving, window).heights;
+    with_largest += static_cast<int>(std::count(heights.begin(), heights.end(), amax));
+  }
+  // as often as the top band is not empty; standard error of a frequency, four of them
+  EXPECT_NEAR(with_largest / 1.0 / windows, 0.3, 4.0 * std::sqrt(0.3 * 0.7 / windows));
+}
+
+TEST(PeakAmplitudes, TheMeanHoldsOverTheWindowsHoweverShortTheyAre) {
+  // 0.06 to 6 peaks a window of one composition; means between those of the lowest and of the highest possible heights,
+  // which for 0.1 + 0.3 + 0.6 are 0.1 + 0.075 + 0.006 = 0.181 and 0.1 + 0.225 + 0.15 = 0.475
+  const int windows = 20000;
+  for (const double length : {0.06, 0.6, 1.7, 6.0}) {
+    for (const double relative_mean : {0.2, 0.3, 0.45}) {
+      double sum = 0.0, squares = 0.0;
+      for (int window = 0; window < windows; ++window) {
+        const Drawn got = drawn_short({0.1 * length, 0.3 * length, 0.6 * length}, relative_mean,
+                                      AmplitudeFit::band_preserving, window);
+        ASSERT_FALSE(got.outcome.mean_missed);
+        double heights = 0.0;
+        for (const double height : got.heights) heights += height / amax;
+        sum += heights, squares += heights * heights;
+      }
+      const double mean_sum = sum / windows, variance = squares / windows - mean_sum * mean_sum;
+      EXPECT_NEAR(mean_sum, length * relative_mean, 4.0 * std::sqrt(variance / windows)) << length;
+    }
+  }
+}
+
+TEST(PeakAmplitudes, OneWindowMissesItsMeanByNoMoreThanItsRoundedPeaks) {
+  // 3.3 + 10.1 + 16 peaks: the bands together may have a peak more or less than expected, of the height of that band
+  for (int window = 0; window < 500; ++window) {
+    double sum = 0.0;
+    for (const double a : drawn_short({3.3, 10.1, 16.0}, 0.36, AmplitudeFit::band_preserving, window).heights) sum += a;
+    ASSERT_NEAR(sum / amax, 29.4 * 0.36, 1.0);
+  }
 }
 
 TEST(PeakAmplitudes, ArticleMeetsLargestAndMean) {

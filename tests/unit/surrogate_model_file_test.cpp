@@ -130,6 +130,10 @@ TEST(SurrogateModelFile, NamesUnitsAndRangesMustFit) {
   EXPECT_EQ(message_after("\"unit\": \"mm\"", "\"unit\": \"m\""), "inputs[1].unit = \"m\" (must be mm)");
   EXPECT_EQ(message_after("\"name\": \"x_amean_N_per_m\"", "\"name\": \"x_amax_N_per_m\""),
             "outputs[1].name = \"x_amax_N_per_m\" (must be x_amean_N_per_m here)");
+  // plain counts, as features.csv has them, are not what a model holds
+  EXPECT_EQ(message_after("\"name\": \"x_np1_per_m\"", "\"name\": \"x_np1\""),
+            "outputs[2].name = \"x_np1\" (must be x_np1_per_m here)");
+  EXPECT_EQ(message_after("\"unit\": \"1/m\"", "\"unit\": \"1\""), "outputs[2].unit = \"1\" (must be 1/m)");
   EXPECT_EQ(message_after("\"high\": 2.5", "\"high\": 0.25"), "inputs[0].high = 0.25 (must be at least low = 0.5)");
   EXPECT_EQ(message_after("\"scale\": 2.0", "\"scale\": 0"), "inputs[0].scale = 0 (must be above 0)");
   EXPECT_EQ(message_after("\"scale\": 2.0", "\"scale\": null"), "inputs[0].scale = null (must be a finite number)");

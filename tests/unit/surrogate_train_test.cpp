@@ -42,6 +42,43 @@ TEST(SurrogateTrain, TrainedModelsReadBackBitForBit) {
   EXPECT_EQ(again.outputs[4].network.parameters, model.outputs[4].network.parameters);
 }
 
+TEST(SurrogateTrain, TheLengthOfTheCutsOnlyScalesTheCounts) {
+  // The same counts on 1 m and on 1/16 m, a power of two, so that dividing is exact: the networks see the same scaled
+  // numbers, and learn the same to the last bit. Counts over 1 m are the plain counts.
+  const auto with_length = [](double length) {
+    std::string text = surrogate_fixture::features_header;
+    for (int number = 1; number <= 8; ++number) {
+      text += fmt::format("{},1,{},{},15,{},1,{},2e4,{},{},{},1e5,1e4,{},{},{}\n", number, 0.5 * number, 1 + number % 3,
+                          length, 1e5 * number, 3 + number, 11 + 2 * number, 20 + 5 * number, 2 + number, 9 + number,
+                          31 - number);
+    }
+    return train(read_text(text), {.epochs = 20, .shuffle = false});
+  };
+  const Model plain = with_length(1.0), scaled = with_length(1.0 / 16.0);
+  for (std::size_t i = 0; i < plain.outputs.size(); ++i) {
+    const double factor = plain.outputs[i].variable.unit == "1/m" ? 16.0 : 1.0;
+    EXPECT_EQ(scaled.outputs[i].variable.scale, factor * plain.outputs[i].variable.scale);
+    EXPECT_EQ(scaled.outputs[i].network.parameters, plain.outputs[i].network.parameters);
+  }
+  EXPECT_EQ(plain.outputs[2].variable.high, 9.0);  // the last two cases are the test set: 3 + 6 peaks over 1 m
+  EXPECT_EQ(plain.outputs[2].variable.name, "x_np1_per_m");
+}
+
+TEST(SurrogateTrain, CutsOfOneRateAndDifferentLengthsAreOneTrainingProblem) {
+  // 60, 140 and 200 peaks a metre in every case, counted over 25 to 200 mm
+  std::string text = surrogate_fixture::features_header;
+  for (int number = 1; number <= 8; ++number) {
+    const double length = 0.025 * number;
+    text += fmt::format("{},1,{},{},15,{},1,1e5,2e4,{},{},{},1e5,1e4,{},{},{}\n", number, 0.5 * number, 1 + number % 3,
+                        length, 60 * length, 140 * length, 200 * length, 60 * length, 140 * length, 200 * length);
+  }
+  for (const surrogate::TrainingRow& row : read_text(text).rows) {
+    EXPECT_NEAR(row.outputs[2], 60.0, 1e-13);
+    EXPECT_NEAR(row.outputs[3], 140.0, 1e-13);
+    EXPECT_NEAR(row.outputs[9], 200.0, 1e-13);
+  }
+}
+
 TEST(SurrogateTrain, ScalingAndRangeComeFromTheTrainingRowsAlone) {
   // Without shuffle the last 5 of 27 cases are the test set: with 2 m/s all that is 4 mm, and 2 mm with 20 and 30 deg.
   const TrainingData data = read_text(features_text(1));

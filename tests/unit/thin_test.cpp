@@ -1,5 +1,5 @@
 // A thinned line must show what the whole line shows: every extreme, both ends, and the gaps.
-#include "report/thin.hpp"
+#include "base/thin.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,22 +24,22 @@ bool holds(const std::vector<std::size_t>& kept, std::size_t index) {
 }
 
 TEST(Envelope, ShortLinesStayWhole) {
-  EXPECT_EQ(report::envelope(std::vector<double>{3.0, 1.0, 2.0}, 3), (std::vector<std::size_t>{0, 1, 2}));
-  EXPECT_TRUE(report::envelope(std::vector<double>{}).empty());
-  EXPECT_EQ(report::envelope(noise(report::longest_whole_line)).size(), report::longest_whole_line);
+  EXPECT_EQ(base::envelope(std::vector<double>{3.0, 1.0, 2.0}, 3), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_TRUE(base::envelope(std::vector<double>{}).empty());
+  EXPECT_EQ(base::envelope(noise(base::longest_whole_line)).size(), base::longest_whole_line);
 }
 
 TEST(Envelope, HandCountedRun) {
   const std::vector<double> y{1.0, 5.0, 2.0, -3.0, 0.0, 4.0, 4.0, 4.0, 4.0, 4.0, 4.0, 9.0};
   // Two runs of six: first 0, highest 1, lowest 3, last 5; then a flat one that ends in its highest.
-  EXPECT_EQ(report::envelope(y, 10), (std::vector<std::size_t>{0, 1, 3, 5, 6, 11}));
+  EXPECT_EQ(base::envelope(y, 10), (std::vector<std::size_t>{0, 1, 3, 5, 6, 11}));
 }
 
 TEST(Envelope, KeepsEveryExtremeOfEveryRunInOrderAndWithinTheLimit) {
   const std::size_t most = 1000;
   const std::size_t runs = most / 5;
   const std::vector<double> y = noise(123'457);
-  const std::vector<std::size_t> kept = report::envelope(y, most);
+  const std::vector<std::size_t> kept = base::envelope(y, most);
   EXPECT_LE(kept.size(), most);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
   EXPECT_EQ(std::adjacent_find(kept.begin(), kept.end()), kept.end());
@@ -58,15 +58,15 @@ TEST(Envelope, OneSamplePeakAndGapSurvive) {
   std::vector<double> y(100'000, 1.0);
   y[41'237] = 7.0;
   y[70'001] = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<std::size_t> kept = report::envelope(y);
+  const std::vector<std::size_t> kept = base::envelope(y);
   EXPECT_TRUE(holds(kept, 41'237));
   EXPECT_TRUE(holds(kept, 70'001));
-  EXPECT_LE(kept.size(), report::longest_whole_line);
+  EXPECT_LE(kept.size(), base::longest_whole_line);
 }
 
 TEST(Envelope, NothingButGaps) {
   const std::vector<double> y(50, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_EQ(report::envelope(y, 5), (std::vector<std::size_t>{0, 49}));
+  EXPECT_EQ(base::envelope(y, 5), (std::vector<std::size_t>{0, 49}));
 }
 
 }  // namespace

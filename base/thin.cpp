@@ -1,10 +1,10 @@
-#include "report/thin.hpp"
+#include "base/thin.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace report {
+namespace base {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::vector<std::size_t> envelope(std::span<const double> y, std::size_t most) {
   return kept;
 }
 
-}  // namespace report
+}  // namespace base

@@ -1,0 +1,12 @@
+#pragma once
+/// Bytes as printable text, for pages and files that must be text.
+
+#include <string>
+#include <string_view>
+
+namespace base {
+
+/// Base64 with padding, without line breaks [Rfc4648, sec. 4].
+std::string base64(std::string_view bytes);
+
+}  // namespace base

@@ -1,0 +1,113 @@
+#include "campaigns/slurm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/child_process.hpp"
+#include "base/errors.hpp"
+#include "base/files.hpp"
+
+namespace campaigns {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+constexpr const char* signal_seconds = "60";  // before its time is over a task is told to end
+
+/// For the shell.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+/// For a line of options, where Slurm knows double quotes and nothing to escape them.
+std::string option_text(const Path& path) {
+  const std::string text = path.string();
+  if (text.find_first_of("\"\\\n") != std::string::npos) {
+    throw base::InputError(
+        fmt::format("{}: a path with a quote, a backslash or a new line cannot be given to Slurm", text));
+  }
+  return '"' + text + '"';
+}
+
+std::string header(const std::string& what, const std::string& name, const Path& folder, const SlurmOptions& options) {
+  std::string text = "#!/bin/bash\n# " + what + "\n";
+  const auto option = [&text](const std::string& line) { text += "#SBATCH --" + line + "\n"; };
+  option("job-name=" + name);
+  option("ntasks=1");
+  option("cpus-per-task=1");
+  option(fmt::format("mem={}M", options.memory_MB));
+  if (!options.partition.empty()) option("partition=" + options.partition);
+  option("chdir=" + option_text(folder));
+  option("open-mode=append");
+  option("requeue");
+  return text;
+}
+
+std::string command(const Path& program, const std::string& action, const Path& study_file, const Path& folder) {
+  return fmt::format("exec {} campaign {} {} --dir {}", quoted(program.string()), action, quoted(study_file.string()),
+                     quoted(folder.string()));
+}
+
+}  // namespace
+
+SlurmScripts write_slurm_scripts(const Study& study, const Path& study_file, const Path& folder, const Path& program,
+                                 const SlurmOptions& options) {
+  const auto count = static_cast<int>(jobs(study).size());
+  const Path where = std::filesystem::absolute(folder).lexically_normal(),
+             what = std::filesystem::absolute(study_file).lexically_normal();
+  SlurmScripts scripts{.array = where / "slurm" / "array.sh",
+                       .collect = where / "slurm" / "collect.sh",
+                       .tasks = std::min({options.tasks > 0 ? options.tasks : count, count, most_tasks})};
+  base::require_writable_folder(where / "slurm");
+
+  std::string array = header(fmt::format("Written by bitrock campaign submit: {} cuts in {} tasks. By hand: sbatch "
+                                         "array.sh, then sbatch --dependency=afterany:<its number> collect.sh",
+                                         count, scripts.tasks),
+                             "bitrock", where, options);
+  array += fmt::format("#SBATCH --array=1-{}\n#SBATCH --output=slurm/task_%a.log\n", scripts.tasks);
+  array += fmt::format("#SBATCH --signal=B:TERM@{}\n", signal_seconds);
+  if (!options.time_limit.empty()) array += fmt::format("#SBATCH --time={}\n", options.time_limit);
+  array += fmt::format("{} --jobs 1 --shard \"$SLURM_ARRAY_TASK_ID/{}\"\n", command(program, "run", what, where),
+                       scripts.tasks);
+  std::string collect = header("Written by bitrock campaign submit", "bitrock-collect", where, options);
+  collect += "#SBATCH --output=slurm/collect.log\n" + command(program, "collect", what, where) + "\n";
+  base::write_whole(scripts.array, array);
+  base::write_whole(scripts.collect, collect);
+  return scripts;
+}
+
+namespace {
+
+/// The number of the submitted job.
+std::string sbatch(const std::vector<std::string>& arguments) {
+  if (!base::is_installed("sbatch")) {
+    throw base::InputError(
+        "sbatch is not there (submit where Slurm is installed; --dry-run writes the scripts without it)");
+  }
+  std::vector<std::string> call{"sbatch", "--parsable"};
+  call.insert(call.end(), arguments.begin(), arguments.end());
+  base::ProgramEnd end = base::run_program(call);
+  std::string& said = end.output;
+  while (!said.empty() && said.back() == '\n') said.pop_back();
+  // the number stands in the last line, before the name of the cluster if there is one; warnings may come before it
+  const std::string line = said.substr(said.rfind('\n') + 1);
+  std::string number = line.substr(0, line.find(';'));
+  const bool good = end.status == 0 && !number.empty() && number.find_first_not_of("0123456789") == std::string::npos;
+  if (!good) throw base::InputError(fmt::format("Slurm refuses: {}", said));
+  return number;
+}
+
+}  // namespace
+
+SlurmJobs submit(const SlurmScripts& scripts) {
+  SlurmJobs submitted{.array = sbatch({scripts.array.string()})};
+  submitted.collect = sbatch({"--dependency=afterany:" + submitted.array, scripts.collect.string()});
+  return submitted;
+}
+
+}  // namespace campaigns

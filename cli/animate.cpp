@@ -1,0 +1,104 @@
+// bitrock animate: the frames of a cut, one picture each, as a GIF, a video, or PNG files.
+#include <memory>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "base/stop.hpp"
+#include "cli/command.hpp"
+#include "dem2d/output/encoder.hpp"
+#include "dem2d/output/frame_file.hpp"
+#include "dem2d/output/snapshot.hpp"
+
+namespace cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  CommonOptions common;
+  std::string run_file, output;
+  int width_px = 900;
+  int frames_per_second = 12;
+};
+
+/// By the end of the name; empty for a folder of PNG frames.
+std::optional<dem2d::AnimationKind> kind_of(const fs::path& output) {
+  const std::string extension = output.extension().string();
+  if (extension == ".gif") return dem2d::AnimationKind::gif;
+  if (extension == ".mp4") return dem2d::AnimationKind::mp4;
+  if (extension == ".webm") return dem2d::AnimationKind::webm;
+  if (extension.empty() || fs::is_directory(output)) return std::nullopt;
+  throw base::InputError(
+      fmt::format("{}: no animation ends in {} (allowed: .gif, .mp4, .webm, or a folder for PNG frames)",
+                  output.string(), extension));
+}
+
+void draw_frames(const Options& options, const dem2d::RunFile& run, const fs::path& folder) {
+  const base::Hdf5Reader frames(options.run_file);
+  Progress progress(options.common, "drawing", "frames");
+  const auto tell = progress.callback();
+  for (int k = 0; k < run.frame_count; ++k) {
+    base::throw_if_stopped();
+    base::write_whole(folder / dem2d::frame_name(k),
+                      dem2d::draw_snapshot(run, dem2d::read_frame(frames, k), options.width_px));
+    tell(k + 1, run.frame_count);
+  }
+}
+
+/// A viewer takes all frames it finds: those of a longer animation must not follow ours.
+void prepare_folder(const fs::path& folder, int frames) {
+  base::require_writable_folder(folder);
+  const fs::path next = folder / dem2d::frame_name(frames);
+  if (fs::exists(next))
+    throw base::InputError(fmt::format("{} is of a longer animation (give an empty folder)", next.string()));
+}
+
+void run(const Options& options) {
+  const dem2d::RunFile file = dem2d::read_run(options.run_file);
+  if (file.frame_count < 2) {
+    throw base::InputError(
+        fmt::format("{}: shows one instant only, the end of the cut (make the run with `bitrock cut --frames 60`)",
+                    options.run_file));
+  }
+  const auto kind = kind_of(options.output);
+  if (!kind) {
+    require_outputs(options.common, {options.run_file}, {});
+    prepare_folder(options.output, file.frame_count);
+    draw_frames(options, file, options.output);
+    say(options.common, "{} frames -> {}\n", file.frame_count,
+        (fs::path(options.output) / dem2d::frame_name(0)).string());
+  } else {
+    require_outputs(options.common, {options.run_file}, {options.output});
+    const std::string encoder = dem2d::find_encoder(*kind);
+    const dem2d::TemporaryFolder folder;
+    draw_frames(options, file, folder.path());
+    const std::string bytes =
+        dem2d::encode_frames(encoder, *kind, file.frame_count, options.frames_per_second, folder.path());
+    base::write_whole(options.output, bytes);
+    say(options.common, "{} frames, {:.2g} MB, by {} -> {}\n", file.frame_count,
+        1e-6 * static_cast<double>(bytes.size()), encoder, options.output);
+  }
+  write_json(options.common, {{"files", {options.output}}, {"frames", file.frame_count}});
+}
+
+}  // namespace
+
+void add_animate(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("animate", "show a cut in motion, from a run made with `cut --frames N`");
+  command->add_option("run", options->run_file, "run.h5")->required();
+  command->add_option("-o,--output", options->output, ".gif, .mp4 or .webm file, or a folder for PNG frames")
+      ->default_val("cut.gif")
+      ->check(not_empty());
+  command->add_option("--width-px", options->width_px, "width of the picture")
+      ->check(CLI::Range(400, 4000))
+      ->capture_default_str();
+  command->add_option("--frames-per-second", options->frames_per_second, "speed of the animation")
+      ->check(CLI::Range(1, 50))
+      ->capture_default_str();
+  add_common(*command, options->common);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace cli

@@ -1,0 +1,64 @@
+// bitrock campaign plan: what a study will cost.
+#include "campaigns/plan.hpp"
+
+#include "base/units.hpp"
+#include "cli/campaign.hpp"
+
+namespace cli {
+
+namespace {
+
+constexpr double seconds_per_hour = 3600.0;
+
+struct Options {
+  CampaignOptions campaign;
+  double ns_per_disc_step = campaigns::typical_ns_per_disc_step;
+};
+
+}  // namespace
+
+void print_plan(const CampaignOptions& options, const campaigns::Study& study, double ns_per_disc_step) {
+  const campaigns::Plan plan = campaigns::plan(study, options.folder, ns_per_disc_step);
+  const int remaining = plan.jobs - plan.done - plan.failed;
+  say(options.common, "{} cases, {} cuts: {} done, {} failed, {} remaining; {} rocks, {} to be made\n", plan.cases,
+      plan.jobs, plan.done, plan.failed, remaining, plan.rocks, plan.rocks_to_make);
+  for (const campaigns::PlanPart& part : plan.parts) {
+    say(options.common,
+        "depth {:g} mm: {} cuts of {:g} mm in {:g} x {:g} mm, {:.0f} discs; {:.3g} steps, {:.3g} core-hours\n",
+        base::in_units(part.depth_of_cut, base::mm), part.jobs, base::in_units(part.cut_length, base::mm),
+        base::in_units(part.bed_length, base::mm), base::in_units(part.bed_height, base::mm), part.discs, part.steps,
+        part.core_time / seconds_per_hour);
+  }
+  say(options.common, "{:.3g} steps, {:.3g} disc-steps: about {:.3g} core-hours at {:g} ns per disc and step\n",
+      plan.steps, plan.disc_steps, plan.core_time / seconds_per_hour, ns_per_disc_step);
+  write_json(options.common, {{"cases", plan.cases},
+                              {"jobs", plan.jobs},
+                              {"done", plan.done},
+                              {"failed", plan.failed},
+                              {"remaining", remaining},
+                              {"core_seconds", plan.core_seconds},
+                              {"rocks", plan.rocks},
+                              {"rocks_to_make", plan.rocks_to_make},
+                              {"most_discs", plan.most_discs},
+                              {"steps", plan.steps},
+                              {"disc_steps", plan.disc_steps},
+                              {"core_hours", plan.core_time / seconds_per_hour},
+                              {"ns_per_disc_step", ns_per_disc_step}});
+}
+
+void add_campaign_plan(CLI::App& campaign) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      add_campaign_action(campaign, "plan", "discs, steps and core-hours of what is to be cut", options->campaign);
+  command->add_option("--dir", options->campaign.folder, "do not count what is done in this folder")
+      ->check(not_empty());
+  command->add_option("--ns-per-disc-step", options->ns_per_disc_step, "speed of one core of your machine")
+      ->check(finite_positive())
+      ->capture_default_str();
+  command->callback([options] {
+    require_outputs(options->campaign.common, {options->campaign.study_file}, {});
+    print_plan(options->campaign, study_of(options->campaign), options->ns_per_disc_step);
+  });
+}
+
+}  // namespace cli

@@ -1,0 +1,75 @@
+// bitrock campaign submit: a campaign as a job array of a cluster.
+#include <regex>
+
+#include "base/errors.hpp"
+#include "campaigns/folder.hpp"
+#include "campaigns/slurm.hpp"
+#include "cli/campaign.hpp"
+
+namespace cli {
+
+namespace {
+
+struct Options {
+  CampaignOptions campaign;
+  std::string engine = "slurm";
+  campaigns::SlurmOptions slurm;
+  bool dry_run = false;
+};
+
+CLI::Validator matching(const std::string& pattern, const std::string& meaning) {
+  return {[=](std::string& text) {
+            return std::regex_match(text, std::regex(pattern)) ? "" : fmt::format("'{}' (must be {})", text, meaning);
+          },
+          "", "matching"};
+}
+
+void submit(const Options& options) {
+  const CampaignOptions& campaign = options.campaign;
+  require_outputs(campaign.common, {campaign.study_file}, {});
+  const campaigns::Study study = study_of(campaign);
+  campaigns::open_folder(study, campaign.folder);
+  const campaigns::Status status = campaigns::status(study, campaign.folder);
+  const campaigns::SlurmScripts scripts = campaigns::write_slurm_scripts(
+      study, campaign.study_file, campaign.folder, std::filesystem::read_symlink("/proc/self/exe"), options.slurm);
+  nlohmann::json json = as_json(status);
+  json["tasks"] = scripts.tasks;
+  json["scripts"] = {scripts.array.string(), scripts.collect.string()};
+  json["array_job"] = json["collect_job"] = nullptr;
+  say(campaign.common, "{} tasks -> {}, {}\n", scripts.tasks, scripts.array.string(), scripts.collect.string());
+  const bool all_done = status.done == status.cases;
+  if (all_done) say(campaign.common, "all {} runs are done: nothing to submit\n", status.cases);
+  if (!all_done && !options.dry_run) {
+    const campaigns::SlurmJobs submitted = campaigns::submit(scripts);
+    json["array_job"] = submitted.array;
+    json["collect_job"] = submitted.collect;
+    say(campaign.common, "submitted: array job {}, collect job {} when it has ended\n", submitted.array,
+        submitted.collect);
+  }
+  write_json(campaign.common, json);
+}
+
+}  // namespace
+
+void add_campaign_submit(CLI::App& campaign) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      add_campaign_action(campaign, "submit", "give the rest to a cluster, and collect at the end", options->campaign);
+  add_campaign_folder(*command, options->campaign);
+  command->add_option("--engine", options->engine, "what runs the cluster")
+      ->check(CLI::IsMember({"slurm"}))
+      ->capture_default_str();
+  command->add_option("--tasks", options->slurm.tasks, "tasks that share the cuts (default: one a cut, at most 1000)")
+      ->check(CLI::Range(1, campaigns::most_tasks));
+  command->add_option("--time", options->slurm.time_limit, "limit of a task, HH:MM:SS or D-HH:MM:SS")
+      ->check(matching("([0-9]+-)?[0-9]+:[0-5][0-9]:[0-5][0-9]", "HH:MM:SS or D-HH:MM:SS"));
+  command->add_option("--mem", options->slurm.memory_MB, "memory of a task [MB]")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command->add_option("--partition", options->slurm.partition, "where to run (default: the cluster's default)")
+      ->check(matching("[A-Za-z0-9_.,-]+", "the name of a partition"));
+  command->add_flag("--dry-run", options->dry_run, "write the scripts, submit nothing");
+  command->callback([options] { submit(*options); });
+}
+
+}  // namespace cli

@@ -1,0 +1,241 @@
+// What a campaign's folder says about its jobs, and the tables made of them.
+#include <gtest/gtest.h>
+
+#include "base/csv.hpp"
+#include "base/errors.hpp"
+#include "base/file_lock.hpp"
+#include "campaigns/accepted.hpp"
+#include "campaigns/collect.hpp"
+#include "campaigns/plan.hpp"
+#include "campaigns/status.hpp"
+#include "tests/unit/campaign_fixture.hpp"
+
+namespace {
+
+namespace fx = campaign_fixture;
+
+class Folder : public testing::Test {
+ protected:
+  const scratch::Folder dir{"folder"};
+  const std::filesystem::path camp = dir / "camp";
+  const campaigns::Study study = fx::study(dir);
+  const std::vector<campaigns::Job> jobs = campaigns::jobs(study);
+
+  void SetUp() override { campaigns::open_folder(study, camp); }
+  campaigns::Status status() const { return campaigns::status(study, camp); }
+  void finish_all() const {
+    for (const campaigns::Job& job : jobs) fx::finish(job, camp);
+  }
+  std::string table() const { return campaigns::features_csv(campaigns::collect(study, camp).rows); }
+  /// As if the rows came from elsewhere, with one piece of text replaced.
+  std::filesystem::path rows(std::string text, const std::string& from = "", const std::string& to = "") const {
+    if (!from.empty()) {
+      EXPECT_NE(text.find(from), std::string::npos) << from;
+      text.replace(text.find(from), from.size(), to);
+    }
+    base::write_whole(dir / "rows.csv", text);
+    return dir / "rows.csv";
+  }
+};
+
+TEST_F(Folder, EveryJobIsCountedOnce) {
+  EXPECT_EQ(status().remaining, 8);
+  EXPECT_FALSE(status().time_left.has_value()) << "nothing is known yet";
+  EXPECT_FALSE(status().core_left.has_value());
+  fx::finish(jobs[0], camp);
+  base::write_whole(campaigns::failure_path(camp, jobs[0]), "an earlier failure of what is done now");
+  base::write_whole(campaigns::failure_path(camp, jobs[1]), "why");
+  const campaigns::Status seen = status();
+  EXPECT_EQ(seen.cases, 8);
+  EXPECT_EQ(seen.done, 1);
+  EXPECT_EQ(seen.failed, 1);
+  EXPECT_EQ(seen.running, 0);
+  EXPECT_EQ(seen.remaining, 6);
+  EXPECT_EQ(seen.core_seconds, 10.0);
+  EXPECT_FALSE(seen.time_left.has_value()) << "nobody works";
+  // Work goes as length / speed x bed, here 1 / speed: the done job at 0.5 m/s took 10 s, as will two of those that
+  // remain with it at that speed (another failed), and four at 2 m/s take a quarter of it.
+  EXPECT_DOUBLE_EQ(*seen.core_left, 2 * 10.0 + 4 * 2.5);
+}
+
+TEST_F(Folder, AJobIsRunningWhileItIsLocked) {
+  fx::finish(jobs[0], camp);
+  const auto record = campaigns::running_path(camp, jobs[1]);
+  campaigns::write_record({.host = "here", .pid = 7, .started = campaigns::now() - 5.0, .share_done = 0.5}, record);
+  EXPECT_EQ(status().running, 0) << "left behind by a killed runner";
+  const base::FileLock lock(record);
+  const campaigns::Survey survey = campaigns::look(study, camp);
+  EXPECT_EQ(survey.status.running, 1);
+  EXPECT_EQ(survey.status.remaining, 6);
+  ASSERT_EQ(survey.running.size(), 1u);
+  EXPECT_EQ(survey.running[0].record.host, "here");
+  EXPECT_EQ(survey.running[0].record.pid, 7);
+  EXPECT_EQ(survey.running[0].job.seed, 5);
+  // Rate: 10 s and 5 s for one and a half jobs at 0.5 m/s, so 10 s each; left are a half, two more and four quarters,
+  // by one runner. The clock moves a little between writing and looking.
+  EXPECT_NEAR(*survey.status.time_left, 5.0 + 2 * 10.0 + 4 * 2.5, 1.0);
+}
+
+TEST_F(Folder, ARunIsDoneOnlyWhenItsFileIsGood) {
+  fx::finish(jobs[0], camp);
+  ASSERT_EQ(status().done, 1);
+  const auto file = campaigns::run_path(camp, jobs[0]);
+  const std::string good = base::read_whole(file);
+  for (const std::size_t at : {std::size_t{100}, good.size() / 2, good.size() - 30}) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ 1);
+    base::write_whole(file, bad);
+    EXPECT_EQ(status().done, 0) << "byte " << at << " of " << good.size();
+  }
+  base::write_whole(file, good.substr(0, good.size() / 2));
+  EXPECT_EQ(status().done, 0);
+  std::filesystem::remove(file);
+  fx::finish(jobs[1], camp);
+  std::filesystem::rename(campaigns::run_path(camp, jobs[1]), file);
+  EXPECT_EQ(status().done, 0) << "the run of another seed";
+}
+
+TEST_F(Folder, OtherFoldersAreRefused) {
+  const auto words = [&](const std::filesystem::path& folder) {
+    return fx::message([&] { campaigns::status(study, folder); }, dir.path().string());
+  };
+  EXPECT_NE(words(dir / "none").find("none: there is no such folder"), std::string::npos);
+  std::filesystem::create_directories(dir / "other");
+  EXPECT_NE(words(dir / "other").find("is no campaign's folder"), std::string::npos);
+  base::write_whole(dir / "other/study.toml", "another\n");
+  EXPECT_NE(words(dir / "other").find("holds runs of another study"), std::string::npos);
+  EXPECT_THROW(campaigns::open_folder(study, dir / "other"), base::InputError);
+}
+
+TEST_F(Folder, FeaturesTellWhatTheRunsTell) {
+  fx::finish(jobs[5], camp);
+  fx::finish(jobs[2], camp);
+  const auto collected = campaigns::collect(study, camp).rows;
+  ASSERT_EQ(collected.size(), 2u) << "works at any time on what is finished, in job order";
+  const std::string text = campaigns::features_csv(collected);
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,"
+            "x_amax_N_per_m,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4,"
+            "x_mean_N_per_m,y_mean_N_per_m,cracks_tensile,cracks_shear,energy_residual_fraction,discs,step_s,core_s,"
+            "hash");
+  const base::CsvTable csv = base::read_csv(rows(text), false, {"hash"});
+  EXPECT_EQ(csv.column("case"), (std::vector<double>{2.0, 3.0}));
+  EXPECT_EQ(csv.column("seed"), (std::vector<double>{1.0, 5.0}));
+  EXPECT_EQ(csv.column("depth_of_cut_mm")[0], 4.0);
+  EXPECT_EQ(csv.column("cut_length_m")[0], 0.02);
+  EXPECT_EQ(csv.column("x_mean_N_per_m")[0], 2.1);
+  EXPECT_EQ(csv.column("y_mean_N_per_m")[0], 4.2);
+  EXPECT_EQ(csv.column("cracks_tensile")[0], 2.0);
+  EXPECT_EQ(csv.column("cracks_shear")[0], 1.0);
+  EXPECT_EQ(csv.column("energy_residual_fraction")[0], 1e-3 * 2.1);
+  EXPECT_EQ(csv.column("discs")[0], 102.0);
+  EXPECT_EQ(csv.column("step_s")[0], 4e-7);
+  EXPECT_EQ(csv.column("core_s")[0], 10.0);
+  EXPECT_EQ(csv.texts.at("hash")[1], campaigns::job_hash(jobs[5]));
+}
+
+TEST_F(Folder, FeaturesReadBackAreTheSameText) {
+  finish_all();
+  const std::string text = table();
+  EXPECT_EQ(campaigns::features_csv(campaigns::read_features(rows(text)).rows), text);
+}
+
+TEST_F(Folder, MeansAndStandardErrorsAreOverTheSeeds) {
+  finish_all();
+  base::write_whole(dir / "mean.csv", campaigns::features_mean_csv(campaigns::collect(study, camp).rows));
+  const base::CsvTable mean = base::read_csv(dir / "mean.csv");
+  ASSERT_EQ(mean.rows(), 4u);
+  EXPECT_FALSE(mean.has("hash"));
+  EXPECT_EQ(mean.column("seeds")[2], 2.0);
+  // seeds 1 and 5 give scales c + 0.1 and c + 0.5: mean c + 0.3, standard error half their difference
+  EXPECT_DOUBLE_EQ(mean.column("x_mean_N_per_m")[2], 3.3);
+  EXPECT_NEAR(mean.column("x_mean_N_per_m_standard_error")[2], 0.2, 1e-14);
+  EXPECT_NEAR(mean.column("x_amax_N_per_m_standard_error")[2], 0.1 * mean.column("x_amax_N_per_m")[2] / 3.3 * 2.0,
+              1e-12);
+  EXPECT_DOUBLE_EQ(mean.column("discs")[3], 104.0);
+}
+
+TEST_F(Folder, AcceptedRowsAreDoneAlthoughTheirRunsAreGone) {
+  finish_all();
+  const std::string text = table();
+  for (const campaigns::Job& job : jobs) std::filesystem::remove(campaigns::run_path(camp, job));
+  ASSERT_EQ(status().done, 0);
+  const campaigns::Acceptance accepted = campaigns::keep_accepted(study, camp, rows(text));
+  EXPECT_EQ(accepted.added, 8);
+  EXPECT_EQ(accepted.all.strangers, 0);
+  EXPECT_EQ(status().done, 8);
+  EXPECT_EQ(status().core_seconds, 80.0);
+  EXPECT_EQ(campaigns::plan(study, camp).done, 8);
+  EXPECT_EQ(table(), text) << "collected from accepted rows alone";
+  EXPECT_EQ(campaigns::keep_accepted(study, camp, rows(text)).added, 0);
+  EXPECT_EQ(table(), text);
+}
+
+TEST_F(Folder, RowsOfNoJobAreCountedAndLeft) {
+  finish_all();
+  const std::string text = table();
+  const scratch::Folder elsewhere("elsewhere");
+  // the same cuts but one: 10 degrees became 12, other hashes; case numbers are those of the study that accepts
+  const campaigns::Study other = fx::study(
+      elsewhere,
+      fx::head +
+          "seeds = [5]\n[grid]\ncutter_speeds_m_per_s = [2]\ndepths_of_cut_mm = [4]\nback_rakes_deg = [12, 10]\n"
+          "[cut]\ncut_length_mm = 20\n[bed]\nlength_mm = 40\nheight_mm = 15\n");
+  campaigns::open_folder(other, elsewhere / "camp");
+  const campaigns::Acceptance accepted = campaigns::keep_accepted(other, elsewhere / "camp", rows(text));
+  EXPECT_EQ(accepted.added, 1);
+  EXPECT_EQ(accepted.all.strangers, 7);
+  EXPECT_EQ(campaigns::collect(other, elsewhere / "camp").rows[0].case_number, 2);
+}
+
+TEST_F(Folder, RowsThatWereChangedAreRefusedWithTheirLine) {
+  finish_all();
+  const std::string text = table(), hash = campaigns::job_hash(jobs[0]);
+  const auto words = [&](const std::filesystem::path& file) {
+    return fx::message([&] { campaigns::keep_accepted(study, camp, file); }, "rows.csv");
+  };
+  const std::string job = " (the job with the hash " + hash + ", case 1 seed 1, has ";
+  EXPECT_EQ(words(rows(text, "\n1,1,0.5,2,10,", "\n1,2,0.5,2,10,")),
+            "rows.csv:2: seed = 2" + job + "1: the row was changed)");
+  EXPECT_EQ(words(rows(text, "\n1,1,0.5,2,10,", "\n1,1,0.6,2,10,")),
+            "rows.csv:2: cutter_speed_m_per_s = 0.6" + job + "0.5: the row was changed)");
+  EXPECT_EQ(words(rows(text, "\n1,1,0.5,2,10,", "\n1,1,0.5,2.1,10,")),
+            "rows.csv:2: depth_of_cut_mm = 2.1" + job + "2: the row was changed)");
+  EXPECT_EQ(words(rows(text, "\n1,1,0.5,2,10,", "\n1,1,0.5,2,11,")),
+            "rows.csv:2: back_rake_deg = 11" + job + "10: the row was changed)");
+  EXPECT_EQ(words(rows(text, "\n1,1,0.5,2,10,0.02,", "\n1,1,0.5,2,10,0.019,")),
+            "rows.csv:2: cut_length_m = 0.019" + job + "0.02: the row was changed)");
+  EXPECT_EQ(words(rows(text, "\n1,1,0.5,", "\n1,1,nan,")),
+            "rows.csv:2: column cutter_speed_m_per_s: nan (only finite numbers are allowed)");
+  EXPECT_EQ(words(rows(text, "\n1,1,0.5,", "\n1.5,1,0.5,")),
+            "rows.csv:2: case = 1.5 (must be a whole number, at least 0 and at most 2147483647)");
+  EXPECT_EQ(words(rows(text, hash, "8c72")), "rows.csv:2: hash = '8c72' (must be 16 hexadecimal digits)");
+  EXPECT_EQ(words(rows(text, "x_np4", "x_np")).find("rows.csv: column x_np4 is missing"), 0u);
+  EXPECT_EQ(words(rows(text, ",hash", ",hash_value")).find("rows.csv:2: column hash_value"), 0u);
+  EXPECT_EQ(words(rows("case,seed\n1,1\n")).find("rows.csv: column hash is missing"), 0u);
+  EXPECT_FALSE(std::filesystem::exists(camp / "accepted.csv")) << "nothing of a bad table is kept";
+}
+
+TEST_F(Folder, TheRunFileWinsOverAnAcceptedRowThatDiffers) {
+  finish_all();
+  const std::string text = table(), mine = ",10,0.02,0.04,";  // of case 1, seed 1, up to its x_amax
+  const std::size_t at = text.find(mine) + mine.size();
+  std::string changed = text;
+  changed.replace(at, text.find(',', at) - at, "77");
+  std::string slower = text;
+  slower.replace(slower.find(",10,", slower.find("4e-07")), 4, ",99,");
+  campaigns::keep_accepted(study, camp, rows(slower));
+  EXPECT_TRUE(campaigns::collect(study, camp).warnings.empty()) << "another time on the clock is no other result";
+  std::filesystem::remove(camp / "accepted.csv");
+
+  campaigns::keep_accepted(study, camp, rows(changed));
+  const campaigns::Collection collection = campaigns::collect(study, camp);
+  EXPECT_EQ(campaigns::features_csv(collection.rows), text);
+  ASSERT_EQ(collection.warnings.size(), 1u);
+  EXPECT_NE(collection.warnings[0].find("case 1 seed 1 (hash " + campaigns::job_hash(jobs[0])), std::string::npos);
+  EXPECT_NE(collection.warnings[0].find(" and 77, x_mean_N_per_m 1.1 and 1.1; the run file counts"), std::string::npos);
+  const campaigns::Acceptance again = campaigns::keep_accepted(study, camp, rows(text));
+  ASSERT_EQ(again.all.warnings.size(), 1u) << "two rows of one hash";
+}
+
+}  // namespace
