@@ -34,9 +34,8 @@
 ///     N = 2R kn gap      T = 2R tau      M = -(2/3) R^3 kn rotation
 ///     largest element stress = kn (gap + |rotation| (R - L/2))
 ///
-/// `update_whole_joint` uses these as long as no element is near its strength; a joint at its strength, or damaged,
-/// goes element by element (`update_flat_joint`, the reference: both give the same breaks, and forces equal to
-/// rounding).
+/// step/whole_joints.cpp uses these as long as no element is at its strength; a joint at its strength, or damaged, goes
+/// element by element (`update_flat_joint`, the reference: both give the same breaks, and forces equal to rounding).
 ///
 /// **Symbols.** kn, ks [Pa/m] stiffness as stress per displacement; R, L, r, l [m]; g [m]; sigma, tau [Pa];
 /// N [N/m] and m [N] are per metre of out-of-plane thickness; ds [m] shear displacement of disc 2 against disc 1 along
@@ -50,6 +49,7 @@
 /// **Differences and validity.** Small rotation (sin(rotation) = rotation). The stress that breaks or slides an element
 /// is its mean N / L, also when it is partly open.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -120,7 +120,7 @@ inline NormalResultant update_element(const FlatJointLaw& law, double length, do
   if (state == ElementState::bonded) {
     const NormalResultant whole = bonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
     const double stress = whole.force / length;
-    const double shear_strength = std::fmax(0.0, law.cohesion - stress * law.tan_friction_angle);
+    const double shear_strength = std::max(0.0, law.cohesion - stress * law.tan_friction_angle);
     if (stress >= law.tensile_strength) {
       state = ElementState::broken_in_tension;
     } else if (std::fabs(trial) >= shear_strength) {
@@ -132,12 +132,12 @@ inline NormalResultant update_element(const FlatJointLaw& law, double length, do
     const NormalResultant after = unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
     const bool keeps_some = state == ElementState::broken_in_shear && law.drop_to_residual;
     const double limit = keeps_some ? sliding_strength(law, state, after.force / length) : 0.0;
-    shear_stress = std::fmin(std::fmax(trial, -limit), limit);
+    shear_stress = std::min(std::max(trial, -limit), limit);
     return after;
   }
   const NormalResultant pressed = unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
   const double limit = sliding_strength(law, state, pressed.force / length);
-  shear_stress = std::fmin(std::fmax(trial, -limit), limit);
+  shear_stress = std::min(std::max(trial, -limit), limit);
   return pressed;
 }
 
@@ -165,21 +165,8 @@ inline InterfaceForce update_flat_joint(const FlatJointLaw& law, const Interface
   return total;
 }
 
-/// One step of a joint whose elements are all bonded: fills `force` and `shear_stress` (the tau they share) and returns
-/// true, or leaves both alone and returns false when an element may be at its strength (then the reference decides).
-inline bool update_whole_joint(const FlatJointLaw& law, const InterfaceMotion& motion, double& shear_stress,
-                               InterfaceForce& force) {
-  constexpr double margin = 1.0 - 1e-12;  // wider than rounding: whatever could break in the reference goes there
-  const double R = law.half_length, kn = law.normal_stiffness;
-  const double largest = kn * (motion.gap + std::fabs(motion.rotation) * (R - R / law.elements));
-  const double trial = shear_stress + law.shear_stiffness * motion.shear_increment;
-  if (largest >= margin * law.tensile_strength) return false;
-  if (std::fabs(trial) >= margin * (law.cohesion - largest * law.tan_friction_angle)) return false;
-  shear_stress = trial;
-  force = {.normal = 2.0 * R * kn * motion.gap,
-           .shear = 2.0 * R * trial,
-           .moment = -2.0 / 3.0 * R * R * R * kn * motion.rotation};
-  return true;
-}
+/// The closed form of a wholly bonded joint serves up to this share of its strength [1]: wider than rounding, so that
+/// whatever could break in the reference goes there.
+inline constexpr double whole_joint_margin = 1.0 - 1e-12;
 
 }  // namespace dem2d

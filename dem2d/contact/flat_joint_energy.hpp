@@ -42,8 +42,8 @@ inline double stored_energy(const FlatJointLaw& law, double length, const Elemen
   const bool whole = state == ElementState::bonded || (gap_a <= 0.0 && gap_b <= 0.0);
   if (whole) return shear + law.normal_stiffness * length * (gap_a * gap_a + gap_a * gap_b + gap_b * gap_b) / 6.0;
   if (gap_a >= 0.0 && gap_b >= 0.0) return shear;
-  const double closed = std::fmin(gap_a, gap_b);  // the gap at the closed end; it falls to zero over the closed part
-  const double part = length * closed / (closed - std::fmax(gap_a, gap_b));
+  const double closed = std::min(gap_a, gap_b);  // the gap at the closed end; it falls to zero over the closed part
+  const double part = length * closed / (closed - std::max(gap_a, gap_b));
   return shear + law.normal_stiffness * part * closed * closed / 6.0;
 }
 

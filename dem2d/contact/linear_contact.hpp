@@ -20,6 +20,7 @@
 /// **Differences and validity.** The normal dashpot never pulls (N >= 0) and the shear dashpot never lifts T above the
 /// friction: a contact cannot stick.
 
+#include <algorithm>
 #include <cmath>
 
 namespace dem2d {
@@ -40,7 +41,7 @@ struct LinearForce {
 };
 
 inline double linear_normal_stiffness(double modulus, double radius1, double radius2) {
-  return 2.0 * std::fmin(radius1, radius2) * modulus / (radius1 + radius2);
+  return 2.0 * std::min(radius1, radius2) * modulus / (radius1 + radius2);
 }
 
 inline double linear_wall_stiffness(double modulus) {
@@ -59,12 +60,12 @@ inline LinearForce update_linear_contact(const LinearLaw& law, double overlap, d
     return {0.0, 0.0, 0.0, 0.0};
   }
   const double elastic = law.normal_stiffness * overlap;
-  const double normal = std::fmax(0.0, elastic + law.dashpot * overlap_rate);
+  const double normal = std::max(0.0, elastic + law.dashpot * overlap_rate);
   const double limit = law.friction * normal;
   const double trial = spring + law.shear_stiffness * shear_increment;
-  spring = std::fmin(std::fmax(trial, -limit), limit);
+  spring = std::min(std::max(trial, -limit), limit);
   double shear = spring;
-  if (spring == trial) shear = std::fmin(std::fmax(spring + law.shear_dashpot * shear_rate, -limit), limit);
+  if (spring == trial) shear = std::min(std::max(spring + law.shear_dashpot * shear_rate, -limit), limit);
   return {normal, shear, normal - elastic, shear - spring};
 }
 
@@ -98,7 +99,7 @@ inline LinearLoss linear_loss(const LinearLaw& law, const LinearInstant& before,
                               0.5 * (before.shear_dashpot + after.shear_dashpot) * shear_increment,
                   .switching = 0.0};
   if ((before.overlap > 0.0) != (after.overlap > 0.0)) {
-    const double then = std::fmax(0.0, before.overlap), now = std::fmax(0.0, after.overlap);
+    const double then = std::max(0.0, before.overlap), now = std::max(0.0, after.overlap);
     loss.switching = 0.5 * law.normal_stiffness * ((then + now) * approach - (now * now - then * then));
   }
   return loss;

@@ -25,7 +25,7 @@ constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 }  // namespace
 
 std::vector<base::Section> describe(CutCase& cut) {
-  using base::any, base::between, base::positive;
+  using base::any, base::at_least, base::between, base::positive;
   const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
   return {
       {"", {{"rock", &cut.rock_file, 1.0, any(), "rock file, relative to this file", true}}},
@@ -45,7 +45,9 @@ std::vector<base::Section> describe(CutCase& cut) {
         {"friction_coefficient", &cut.cutter_friction, 1.0, between(0.0, 10.0), "between cutter and rock"}}},
       {"bed",
        {{"length_mm", &cut.bed_length, mm, positive(), "of the rock, along the cut"},
-        {"height_mm", &cut.bed_height, mm, positive(), "of the rock, from bottom to surface"}}},
+        {"height_mm", &cut.bed_height, mm, positive(), "of the rock, from bottom to surface"},
+        {"moving_ahead_mm", &cut.moving_ahead, mm, at_least(0.0), "rock ahead of the tip that moves; 0: all of it"},
+        {"moving_behind_mm", &cut.moving_behind, mm, at_least(0.0), "rock behind the tip that moves; 0: all of it"}}},
       {"run",
        {{"local_damping", &cut.local_damping, 1.0, damping, "share of the unbalanced force"},
         {"sampling_distance_um", &cut.sampling_distance, um, positive(), "travel between two force samples"},

@@ -23,8 +23,9 @@ struct CutCase {
   double cutter_thickness = 8e-3;  ///< [m]
   double cutter_friction = 0.3;    ///< between cutter and rock [1]
 
-  double bed_length = 60e-3;  ///< [m]
-  double bed_height = 20e-3;  ///< [m]
+  double bed_length = 60e-3;                       ///< [m]
+  double bed_height = 20e-3;                       ///< [m]
+  double moving_ahead = 0.0, moving_behind = 0.0;  ///< rock ahead of the tip and behind it that moves; 0: all of it [m]
 
   double local_damping = 0.1;        ///< alpha while cutting [1]
   double sampling_distance = 20e-6;  ///< travel between two samples of the force history [m]

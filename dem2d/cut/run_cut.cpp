@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "base/errors.hpp"
 #include "base/stop.hpp"
-#include "dem2d/cut/fragments.hpp"
+#include "dem2d/cut/window.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
+#include "dem2d/specimen/order.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
 #include "dem2d/tool/cutter.hpp"
@@ -41,23 +43,12 @@ Boundary wall(const CutCase& cut, const ConvexPolygon& shape) {
           .shear_damping_ratio = cut.rock.contact_shear_damping_ratio};
 }
 
-Frame take_frame(const World& world, double tip_x) {
-  return {.time = world.time,
-          .tip_x = tip_x,
-          .x = world.discs.x,
-          .y = world.discs.y,
-          .radius = world.discs.radius,
-          .id = world.discs.id,
-          .fragment = label_fragments(world)};
-}
-
-void add_motion_and_joints(Frame& frame, const World& world) {
-  frame.velocity_x = world.discs.velocity_x;
-  frame.velocity_y = world.discs.velocity_y;
-  for (std::size_t k = 0; k < world.joints.disc1.size(); ++k) {
-    if (world.joints.bonded[k] == 0) continue;
-    frame.joint_disc1.push_back(world.discs.id[static_cast<std::size_t>(world.joints.disc1[k])]);
-    frame.joint_disc2.push_back(world.discs.id[static_cast<std::size_t>(world.joints.disc2[k])]);
+void hold_sides(World& world, const Specimen& bed, double tip_y) {
+  const Discs& discs = world.discs;
+  const double column = column_width(discs);
+  for (std::size_t i = 0; i < discs.x.size(); ++i) {
+    const bool at_left = discs.x[i] < column && discs.y[i] < tip_y - 2.0 * column;
+    if (at_left || discs.y[i] < column || discs.x[i] > bed.width - column) hold(world.discs, i);
   }
 }
 
@@ -71,6 +62,7 @@ double mean(const std::vector<double>& values) {
 
 World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& options) {
   World world = bonded_world(bed, options.threads);
+  order_in_columns(world);
   world.measure_energy = options.measure_energy;
   world.local_damping = cut.local_damping;
   const double margin = cut.domain_margin;
@@ -81,11 +73,9 @@ World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& 
       wall(cut, cutter_outline({cut.cutter_diameter, cut.cutter_thickness, cut.back_rake}, start_x(cut), tip_y));
   cutter.friction = cut.cutter_friction;
   cutter.velocity_x = cut.cutter_speed;
-  const double thick = bed.height;  // of the walls: more than a disc could ever sink in
-  world.boundaries = {cutter, wall(cut, rectangle(-thick, -thick, bed.width + thick, 0.0)),
-                      wall(cut, rectangle(-thick, -thick, 0.0, tip_y)),
-                      wall(cut, rectangle(bed.width, -thick, bed.width + thick, bed.height))};
-  for (Boundary& boundary : world.boundaries) forgive_overlaps(boundary, world.discs);
+  forgive_overlaps(cutter, world.discs);  // packed discs reach a little beyond the edge of the bed
+  world.boundaries = {cutter};
+  hold_sides(world, bed, tip_y);
   prepare(world);
   world.step = critical_step(world);
   return world;
@@ -121,10 +111,14 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   const CutSchedule schedule = plan_steps(cut, world.step);
   world.step = schedule.step;
   const double interval = schedule.step * schedule.steps_per_sample;
+  const int discs = world.discs.count(), joints = world.joints.count();
+  std::optional<Window> window;
+  if (cut.moving_ahead > 0.0 || cut.moving_behind > 0.0) window = open_window(world, cut, start_x(cut));
+  const Window* const rock_window = window ? &*window : nullptr;
   CutRun run;
   run.bed_origin = bed.origin;
-  run.discs = world.discs.count();
-  run.joints = world.joints.count();
+  run.discs = discs;
+  run.joints = joints;
   run.step = schedule.step;
 
   double disc_steps = 0.0;
@@ -137,17 +131,18 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
       impulse_x -= world.boundaries[0].force_x;
       impulse_y += world.boundaries[0].force_y;
     }
+    const double tip_x = start_x(cut) + cut.sampling_distance * static_cast<double>(sample);
+    if (window) advance_window(*window, world, tip_x);
     base::throw_if_stopped();
     require_finite(world);
     disc_steps += static_cast<double>(world.discs.count()) * schedule.steps_per_sample;
     run.time.push_back(static_cast<double>(sample) * interval);
     run.force_x.push_back(impulse_x / schedule.steps_per_sample);
     run.force_y.push_back(impulse_y / schedule.steps_per_sample);
-    const double tip_x = start_x(cut) + cut.sampling_distance * static_cast<double>(sample);
     const bool frame_due = options.frames > 0 && sample * options.frames / schedule.samples !=
                                                      (sample - 1) * options.frames / schedule.samples;
-    if (frame_due || sample == schedule.samples) run.frames.push_back(take_frame(world, tip_x));
-    if (frame_due) add_motion_and_joints(run.frames.back(), world);
+    if (frame_due || sample == schedule.samples) run.frames.push_back(take_frame(world, rock_window, tip_x));
+    if (frame_due) add_motion_and_joints(run.frames.back(), world, rock_window);
     if (progress) progress(static_cast<double>(sample) * interval, static_cast<double>(schedule.samples) * interval);
   }
 
@@ -161,7 +156,7 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   run.cracks_tensile =
       static_cast<int>(std::count_if(run.cracks.begin(), run.cracks.end(), [](const Crack& c) { return c.mode == 1; }));
   run.cracks_shear = static_cast<int>(run.cracks.size()) - run.cracks_tensile;
-  run.removed_discs = world.removed_discs;
+  run.removed_discs = world.removed_discs - (window ? window->left_behind.count() : 0);
   if (options.measure_energy) run.energy_residual_fraction = energy_residual_fraction({}, run.energies.back());
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   run.nanoseconds_per_disc_step = run.wall_time * 1e9 / disc_steps;

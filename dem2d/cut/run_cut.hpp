@@ -2,10 +2,12 @@
 /// One cut from start to end: puts cutter and walls around a bed of rock, drives the cutter through it at constant
 /// speed and depth, and records what the rock does to the cutter.
 ///
-/// The bed is the specimen in its packing box, its surface at y = height. Bottom, left and right are walls with the
-/// friction of the rock's loose discs; the left one ends at the height of the tip so that the cutter can enter and
-/// the edge can break away. Discs that overlap a wall at the start do so without force (reference overlap), so the bed
-/// starts stress-free. No gravity: what is broken off drifts away, as if washed by the mud [BitRock2026, sec. 3.1].
+/// The bed is the specimen in its packing box, its surface at y = height. It is held as if glued in: the outermost
+/// column of discs, two largest radii wide, stands still at the bottom, at the right, and at the left up to two columns
+/// below the tip, so that the cutter can enter and the edge can break away. The bed starts stress-free. No gravity:
+/// what is broken off drifts away, as if washed by the mud [BitRock2026, sec. 3.1].
+///
+/// With `moving_ahead` or `moving_behind` only the neighbourhood of the cutter moves (window.hpp).
 
 #include <functional>
 #include <string>
@@ -13,23 +15,11 @@
 
 #include "base/progress.hpp"
 #include "dem2d/cut/cut_case.hpp"
+#include "dem2d/cut/frame.hpp"
 #include "dem2d/specimen/genesis.hpp"
 #include "dem2d/step/energy.hpp"
 
 namespace dem2d {
-
-/// All discs at one instant.
-struct Frame {
-  double time = 0.0;                 ///< [s]
-  double tip_x = 0.0;                ///< of the cutter [m]
-  std::vector<double> x, y, radius;  ///< [m]
-  std::vector<int> id;
-  std::vector<int> fragment;  ///< discs with the same number hang together by bonded joints; 0 is the largest
-
-  // only when frames were asked for, because they double the size
-  std::vector<double> velocity_x, velocity_y;  ///< half a step before `time` [m/s]
-  std::vector<int> joint_disc1, joint_disc2;   ///< ids of the discs that bonded joints hold together
-};
 
 struct CutRun {
   // Force history. Each sample is the mean over the sampling interval that ends at `time`, so impulses are kept.

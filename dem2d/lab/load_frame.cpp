@@ -74,8 +74,7 @@ void hold_ends(LoadFrame& frame) {
   for (std::size_t i = 0; i < discs.x.size(); ++i) {
     frame.held[i] = discs.y[i] < frame.low ? 1 : discs.y[i] > frame.high ? 2 : 0;
     if (frame.held[i] == 0) continue;
-    discs.mass[i] *= held_mass_factor;
-    discs.inertia[i] *= held_mass_factor;
+    set_mass(discs, i, discs.mass[i] * held_mass_factor, discs.inertia[i] * held_mass_factor);
   }
 }
 

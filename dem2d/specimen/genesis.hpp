@@ -37,7 +37,7 @@
 namespace dem2d {
 
 /// Raised by hand whenever the same rock and seed would give other discs or joints: kept specimens then count no more.
-inline constexpr int genesis_version = 2;
+inline constexpr int genesis_version = 3;
 
 /// Mean number of discs that fill such a box.
 double expected_discs(const Rock& rock, double width, double height);

@@ -14,12 +14,11 @@ void add_contact(Stress& sum, double branch_x, double branch_y, double force_x, 
 }
 
 void add_pairs(Stress& sum, const World& world, const std::vector<int>& disc1, const std::vector<int>& disc2,
-               std::size_t first_contact) {
+               const std::vector<PairForce>& forces) {
   const Discs& d = world.discs;
   for (std::size_t k = 0; k < disc1.size(); ++k) {
     const auto i = static_cast<std::size_t>(disc1[k]), j = static_cast<std::size_t>(disc2[k]);
-    const std::size_t slot = 2 * (first_contact + k);  // the force on disc 1
-    add_contact(sum, d.x[j] - d.x[i], d.y[j] - d.y[i], world.slots.force_x[slot], world.slots.force_y[slot]);
+    add_contact(sum, d.x[j] - d.x[i], d.y[j] - d.y[i], forces[k].x, forces[k].y);
   }
 }
 
@@ -27,8 +26,8 @@ void add_pairs(Stress& sum, const World& world, const std::vector<int>& disc1, c
 
 Stress mean_stress(const World& world, double area) {
   Stress sum;
-  add_pairs(sum, world, world.joints.disc1, world.joints.disc2, 0);
-  add_pairs(sum, world, world.contacts.disc1, world.contacts.disc2, world.joints.disc1.size());
+  add_pairs(sum, world, world.joints.disc1, world.joints.disc2, world.joint_forces);
+  add_pairs(sum, world, world.contacts.disc1, world.contacts.disc2, world.contact_forces);
   const Discs& d = world.discs;
   for (const Boundary& boundary : world.boundaries) {
     for (std::size_t place = 0; place < boundary.near.size(); ++place) {
@@ -66,8 +65,7 @@ void grow(World& world, double factor) {
   Discs& d = world.discs;
   for (std::size_t i = 0; i < d.radius.size(); ++i) {
     d.radius[i] *= factor;
-    d.mass[i] *= factor * factor;
-    d.inertia[i] *= factor * factor * factor * factor;
+    set_mass(d, i, d.mass[i] * factor * factor, d.inertia[i] * factor * factor * factor * factor);
   }
   world.lists_valid = false;
 }

@@ -82,14 +82,12 @@ double critical_step(const World& world) {
 
 double equilibrium_ratio(const World& world) {
   const Discs& discs = world.discs;
-  const ForceSlots& slots = world.slots;
   double unbalanced = 0.0, total = 0.0;
   for (std::size_t i = 0; i < discs.x.size(); ++i) {
     unbalanced += std::hypot(discs.force_x[i], discs.force_y[i]);
-    for (int entry = slots.first[i]; entry < slots.first[i + 1]; ++entry) {
-      const auto slot = static_cast<std::size_t>(slots.slot[static_cast<std::size_t>(entry)]);
-      total += std::hypot(slots.force_x[slot], slots.force_y[slot]);
-    }
+  }
+  for (const std::vector<PairForce>* forces : {&world.joint_forces, &world.contact_forces}) {
+    for (const PairForce& force : *forces) total += 2.0 * std::hypot(force.x, force.y);  // each acts on two discs
   }
   for (const Boundary& boundary : world.boundaries) {
     for (std::size_t place = 0; place < boundary.near.size(); ++place) {

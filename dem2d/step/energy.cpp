@@ -22,9 +22,9 @@ double sum(const std::vector<double>& values) {
 struct Component {
   double kinetic, damping;
 };
-Component at_instant(double mass, double velocity, double force, double alpha, double dt) {
+Component at_instant(double mass, double inverse_mass, double velocity, double force, double alpha, double dt) {
   const double loss = local_damping(force, velocity, alpha);
-  return {.kinetic = 0.5 * mass * velocity * (velocity + (force - loss) / mass * dt),
+  return {.kinetic = 0.5 * mass * velocity * (velocity + (force - loss) * inverse_mass * dt),
           .damping = 0.5 * loss * velocity * dt};
 }
 
@@ -62,8 +62,7 @@ double joint_energy(const World& world, std::size_t joint) {
   const JointPosition now = joint_position(world, joint);
   const FlatJointLaw law = world.joints.law(joint);
   if (world.joints.bonded[joint] == law.elements) {
-    return whole_joint_energy(law, now.gap, now.rotation,
-                              world.joints.shear_stress[joint * static_cast<std::size_t>(law.elements)]);
+    return whole_joint_energy(law, now.gap, now.rotation, world.joints.shear_stress[joint]);
   }
   const double length = 2.0 * law.half_length / law.elements;
   double energy = 0.0;
@@ -71,7 +70,7 @@ double joint_energy(const World& world, std::size_t joint) {
     const double start = -law.half_length + length * e;
     const auto element = joint * static_cast<std::size_t>(law.elements) + static_cast<std::size_t>(e);
     energy += stored_energy(law, length, {now.gap - now.rotation * start, now.gap - now.rotation * (start + length)},
-                            world.joints.state[element], world.joints.shear_stress[element]);
+                            world.joints.state[element], world.joints.element_shear_stress[element]);
   }
   return energy;
 }
@@ -88,9 +87,9 @@ Energies read_energies(const World& world) {
                .injected = gone.injected};
   const double alpha = world.local_damping, dt = world.step;
   for (std::size_t i = 0; i < d.x.size(); ++i) {
-    for (const Component& part : {at_instant(d.mass[i], d.velocity_x[i], d.force_x[i], alpha, dt),
-                                  at_instant(d.mass[i], d.velocity_y[i], d.force_y[i], alpha, dt),
-                                  at_instant(d.inertia[i], d.spin[i], d.moment[i], alpha, dt)}) {
+    for (const Component& part : {at_instant(d.mass[i], d.inverse_mass[i], d.velocity_x[i], d.force_x[i], alpha, dt),
+                                  at_instant(d.mass[i], d.inverse_mass[i], d.velocity_y[i], d.force_y[i], alpha, dt),
+                                  at_instant(d.inertia[i], d.inverse_inertia[i], d.spin[i], d.moment[i], alpha, dt)}) {
       now.kinetic += part.kinetic;
       now.local_damping += part.damping;
     }
@@ -119,17 +118,15 @@ double energy_residual_fraction(const Energies& start, const Energies& now) {
   return work != 0.0 ? energy_residual(start, now) / work : 0.0;
 }
 
-double last_half_step(const World& world, std::size_t place, int disc1, int disc2) {
-  const ForceSlots& slots = world.slots;
-  if (slots.force_x.size() != 2 * (world.joints.disc1.size() + world.contacts.disc1.size()))
-    return 0.0;  // no force yet
+double last_half_step(const World& world, const std::vector<PairForce>& forces, std::size_t place, int disc1,
+                      int disc2) {
+  if (place >= forces.size()) return 0.0;  // no force yet
   const Discs& d = world.discs;
-  const auto power = [&](std::size_t slot, std::size_t i) {
-    return slots.force_x[slot] * d.velocity_x[i] + slots.force_y[slot] * d.velocity_y[i] +
-           slots.moment[slot] * d.spin[i];
-  };
+  const PairForce& force = forces[place];
+  const auto i = static_cast<std::size_t>(disc1), j = static_cast<std::size_t>(disc2);
   return 0.5 * world.step *
-         (power(2 * place, static_cast<std::size_t>(disc1)) + power(2 * place + 1, static_cast<std::size_t>(disc2)));
+         (force.x * (d.velocity_x[i] - d.velocity_x[j]) + force.y * (d.velocity_y[i] - d.velocity_y[j]) +
+          force.moment1 * d.spin[i] + force.moment2 * d.spin[j]);
 }
 
 void book_joint_losses(World& world, const std::vector<char>& stays) {
@@ -167,12 +164,12 @@ void book_lost_discs(World& world, const std::vector<char>& discs_stay, const st
   }
   for (std::size_t j = 0; j < joints_stay.size(); ++j) {
     if (joints_stay[j] != 0) continue;
-    world.energy.removed +=
-        joint_energy(world, j) + last_half_step(world, j, world.joints.disc1[j], world.joints.disc2[j]);
+    world.energy.removed += joint_energy(world, j) +
+                            last_half_step(world, world.joint_forces, j, world.joints.disc1[j], world.joints.disc2[j]);
   }
   for (std::size_t c = 0; c < contacts_stay.size(); ++c) {
     if (contacts_stay[c] != 0) continue;
-    world.energy.removed += contact_energy(world, c) + last_half_step(world, joints_stay.size() + c,
+    world.energy.removed += contact_energy(world, c) + last_half_step(world, world.contact_forces, c,
                                                                       world.contacts.disc1[c], world.contacts.disc2[c]);
   }
   book_joint_losses(world, joints_stay);

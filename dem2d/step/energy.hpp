@@ -71,9 +71,10 @@ JointPosition joint_position(const World& world, std::size_t joint);
 /// Elastic energy in a joint [J/m].
 double joint_energy(const World& world, std::size_t joint);
 
-/// Half a step's work of the last force of a joint or contact on its two discs [J/m]: `place` counts joints, then
-/// contacts. What ends between two instants has worked over half a step less than the leap-frog books assume.
-double last_half_step(const World& world, std::size_t place, int disc1, int disc2);
+/// Half a step's work of the last force of joint or contact `place` on its two discs [J/m]. What ends between two
+/// instants has worked over half a step less than the leap-frog books assume.
+double last_half_step(const World& world, const std::vector<PairForce>& forces, std::size_t place, int disc1,
+                      int disc2);
 
 // What leaves the lists hands its losses to `World::energy` first; `stays` has one flag an entry.
 void book_joint_losses(World& world, const std::vector<char>& stays);

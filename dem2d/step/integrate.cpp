@@ -1,88 +1,95 @@
-// The motion pass and what follows it: integrate discs, move boundaries, collect this step's cracks.
-#include <fmt/format.h>
-
+// The motion pass. Compiled once for each vector unit.
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
-#include "base/errors.hpp"
-#include "dem2d/step/local_damping.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+// clang-format off: the order matters
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dem2d/step/integrate.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+#include "dem2d/step/vector_targets.hpp"
+// clang-format on
 
-namespace {
+HWY_BEFORE_NAMESPACE();
+namespace dem2d::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// local_damping.hpp, lane by lane.
+template <class D, class V = hn::Vec<D>>
+V local_damping(D d, V force, V velocity, V alpha) {
+  return hn::IfThenZeroElse(hn::Eq(velocity, hn::Zero(d)), hn::CopySign(alpha * hn::Abs(force), velocity));
+}
+
+/// As many discs as D has lanes, from i on. Returns by how much they have strayed from where they
+/// were listed (World::most_strayed).
+template <bool measured, class D>
+hn::Vec<D> move_discs(World& world, std::size_t i, D d) {
+  Discs& discs = world.discs;
+  const auto load = [d, i](const std::vector<double>& values) HWY_ATTR { return hn::LoadU(d, &values[i]); };
+  const auto store = [d, i](auto v, std::vector<double>& values) HWY_ATTR { hn::StoreU(v, d, &values[i]); };
+  const auto dt = hn::Set(d, world.step), alpha = hn::Set(d, world.local_damping);
+  const auto force_x = load(discs.force_x), force_y = load(discs.force_y), moment = load(discs.moment);
+  const auto velocity_x = load(discs.velocity_x), velocity_y = load(discs.velocity_y), spin = load(discs.spin);
+  const auto inverse_mass = load(discs.inverse_mass), inverse_inertia = load(discs.inverse_inertia);
+  const auto loss_x = local_damping(d, force_x, velocity_x, alpha);
+  const auto loss_y = local_damping(d, force_y, velocity_y, alpha);
+  const auto loss_moment = local_damping(d, moment, spin, alpha);
+  const auto gain_x = (force_x - loss_x) * inverse_mass * dt;
+  const auto gain_y = (force_y - loss_y) * inverse_mass * dt;
+  const auto gain_spin = (moment - loss_moment) * inverse_inertia * dt;
+  if constexpr (measured) {  // force times the mean of the velocities before and after (step/energy.hpp)
+    const auto half = hn::Set(d, 0.5);
+    store(
+        load(discs.damping_loss) + dt * (loss_x * (velocity_x + half * gain_x) + loss_y * (velocity_y + half * gain_y) +
+                                         loss_moment * (spin + half * gain_spin)),
+        discs.damping_loss);
+  }
+  const auto new_velocity_x = velocity_x + gain_x, new_velocity_y = velocity_y + gain_y, new_spin = spin + gain_spin;
+  const auto x = load(discs.x) + new_velocity_x * dt, y = load(discs.y) + new_velocity_y * dt;
+  store(new_velocity_x, discs.velocity_x);
+  store(new_velocity_y, discs.velocity_y);
+  store(new_spin, discs.spin);
+  store(x, discs.x);
+  store(y, discs.y);
+  store(load(discs.angle) + new_spin * dt, discs.angle);
+  const auto dx = x - load(world.listed_x), dy = y - load(world.listed_y), margin = load(world.listed_margin);
+  return dx * dx + dy * dy - margin * margin;
+}
 
 template <bool measured>
-void integrate_discs(World& world) {
-  Discs& d = world.discs;
-  const double dt = world.step, alpha = world.local_damping;
-  const int count = d.count();
-  double largest_squared = 0.0;
-#pragma omp parallel for num_threads(world.threads) if (world.threads > 1) schedule(static) \
-    reduction(max                                                                           \
-              : largest_squared)
-  for (int disc = 0; disc < count; ++disc) {
-    const auto i = static_cast<std::size_t>(disc);
-    const double loss_x = local_damping(d.force_x[i], d.velocity_x[i], alpha);
-    const double loss_y = local_damping(d.force_y[i], d.velocity_y[i], alpha);
-    const double loss_moment = local_damping(d.moment[i], d.spin[i], alpha);
-    const double gain_x = (d.force_x[i] - loss_x) / d.mass[i] * dt;
-    const double gain_y = (d.force_y[i] - loss_y) / d.mass[i] * dt;
-    const double gain_spin = (d.moment[i] - loss_moment) / d.inertia[i] * dt;
-    if constexpr (measured) {  // force times the mean of the velocities before and after (step/energy.hpp)
-      d.damping_loss[i] += dt * (loss_x * (d.velocity_x[i] + 0.5 * gain_x) + loss_y * (d.velocity_y[i] + 0.5 * gain_y) +
-                                 loss_moment * (d.spin[i] + 0.5 * gain_spin));
-    }
-    d.velocity_x[i] += gain_x;
-    d.velocity_y[i] += gain_y;
-    d.spin[i] += gain_spin;
-    d.x[i] += d.velocity_x[i] * dt;
-    d.y[i] += d.velocity_y[i] * dt;
-    d.angle[i] += d.spin[i] * dt;
-    const double dx = d.x[i] - world.listed_x[i], dy = d.y[i] - world.listed_y[i];
-    largest_squared = std::max(largest_squared, dx * dx + dy * dy);
+double move_range(World& world, const Range& range) {
+  const hn::ScalableTag<double> all_lanes;
+  const hn::CappedTag<double, 1> one_lane;
+  constexpr double nothing = -std::numeric_limits<double>::max();
+  auto largest = hn::Set(all_lanes, nothing);
+  std::size_t i = range.begin;
+  for (; i + hn::Lanes(all_lanes) <= range.end; i += hn::Lanes(all_lanes)) {
+    largest = hn::Max(largest, move_discs<measured>(world, i, all_lanes));
   }
-  world.largest_displacement = std::sqrt(largest_squared);
+  auto rest = hn::Set(one_lane, nothing);
+  for (; i < range.end; ++i) rest = hn::Max(rest, move_discs<measured>(world, i, one_lane));
+  return std::max(hn::GetLane(hn::MaxOfLanes(all_lanes, largest)), hn::GetLane(rest));
 }
 
-}  // namespace
-
-void integrate(World& world) {
-  world.measure_energy ? integrate_discs<true>(world) : integrate_discs<false>(world);
+double MoveDiscs(World& world, const Range& range) {
+  return world.measure_energy ? move_range<true>(world, range) : move_range<false>(world, range);
 }
 
-void move_boundaries(World& world) {
-  for (Boundary& boundary : world.boundaries) {
-    const double dx = boundary.velocity_x * world.step, dy = boundary.velocity_y * world.step;
-    boundary.moved_x = dx;
-    boundary.moved_y = dy;
-    if (dx == 0.0 && dy == 0.0) continue;
-    translate(boundary.shape, dx, dy);
-    boundary.displaced += std::sqrt(dx * dx + dy * dy);
-  }
-  world.time += world.step;
-}
+}  // namespace dem2d::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
-void collect_cracks(World& world) {
-  for (std::vector<Crack>& fresh : world.fresh_cracks) {
-    // Threads hold joints in ascending blocks, so this order is the order of joints for any number of threads.
-    world.cracks.insert(world.cracks.end(), fresh.begin(), fresh.end());
-    fresh.clear();
-  }
-}
+#if HWY_ONCE
+namespace dem2d {
 
-void require_finite(const World& world) {
-  const Discs& d = world.discs;
-  for (std::size_t i = 0; i < d.x.size(); ++i) {
-    if (std::isfinite(d.x[i] + d.y[i] + d.angle[i] + d.velocity_x[i] + d.velocity_y[i] + d.spin[i] + d.force_x[i] +
-                      d.force_y[i] + d.moment[i])) {
-      continue;
-    }
-    throw base::SimulationError(fmt::format(
-        "the motion of disc {} is not a finite number at t = {:.6g} s (the step of {:.3g} s may be too long for its "
-        "contacts); check stiffness and density of the rock",
-        d.id[i], world.time, world.step));
-  }
+HWY_EXPORT(MoveDiscs);
+
+void integrate(World& world, const Share& share) {
+  const Range range = part_of(world.discs.x.size(), share);
+  world.most_strayed[static_cast<std::size_t>(share.thread)] = HWY_DYNAMIC_DISPATCH(MoveDiscs)(world, range);
 }
 
 }  // namespace dem2d
+#endif

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/errors.hpp"
 #include "dem2d/step/energy.hpp"
@@ -13,91 +14,166 @@ namespace dem2d {
 
 namespace {
 
-// Skin as a share of the smallest radius. Larger: longer lists; smaller: lists made more often. The result of a run
-// does not depend on it, but for the instants at which finished joints are noticed.
+// Skin as a share of the smallest radius. Larger: longer lists; smaller: lists looked at more often. The result of a
+// run does not depend on it, but for the instants at which finished joints are noticed.
 constexpr double skin_per_radius = 0.3;
 
-/// For each disc the sorted list of the discs it is joined to: `first[i]` .. `first[i + 1]` in `partner`.
-struct Partners {
-  std::vector<int> first, partner;
+// A disc may move half the skin before it is listed anew, and a fast one as far as it gets in so many steps, but no
+// farther than the smallest radius: else a single chip that flies off would make everybody look for neighbours.
+constexpr double steps_of_a_fast_disc = 100.0;
 
-  bool joined(int i, int j) const {
-    const auto begin = partner.begin() + first[static_cast<std::size_t>(i)];
-    const auto end = partner.begin() + first[static_cast<std::size_t>(i) + 1];
-    return std::find(begin, end, j) != end;
-  }
-};
+// When some disc has used up its margin, those that have used this share of theirs are listed anew along with it.
+constexpr double used_share = 0.5;
 
-/// Each joint entered under its lower disc.
-Partners joint_partners(const World& world) {
-  const FlatJoints& joints = world.joints;
-  Partners partners;
-  partners.first.assign(world.discs.x.size() + 1, 0);
-  const auto lower = [&joints](std::size_t k) {
-    return static_cast<std::size_t>(std::min(joints.disc1[k], joints.disc2[k]));
-  };
-  for (std::size_t k = 0; k < joints.disc1.size(); ++k) ++partners.first[lower(k) + 1];
-  for (std::size_t i = 1; i < partners.first.size(); ++i) partners.first[i] += partners.first[i - 1];
-  partners.partner.resize(joints.disc1.size());
-  std::vector<int> next(partners.first.begin(), partners.first.end() - 1);
-  for (std::size_t k = 0; k < joints.disc1.size(); ++k) {
-    partners.partner[static_cast<std::size_t>(next[lower(k)]++)] = std::max(joints.disc1[k], joints.disc2[k]);
+/// Which discs are to be listed anew. From now on they are listed where they are.
+std::vector<char> mark_moved_discs(World& world, const std::vector<int>& freed) {
+  const Discs& discs = world.discs;
+  const double least = 0.5 * world.skin, most = world.skin / skin_per_radius;
+  const std::size_t count = discs.x.size();
+  std::vector<char> marked(count, world.lists_valid ? 0 : 1);
+  for (const int disc : freed) marked[static_cast<std::size_t>(disc)] = 1;
+  for (std::vector<double>* values : {&world.listed_x, &world.listed_y, &world.listed_margin}) values->resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double dx = discs.x[i] - world.listed_x[i], dy = discs.y[i] - world.listed_y[i];
+    const double used = used_share * world.listed_margin[i];
+    if (dx * dx + dy * dy > used * used) marked[i] = 1;
+    if (marked[i] == 0) continue;
+    const double speed =
+        std::sqrt(discs.velocity_x[i] * discs.velocity_x[i] + discs.velocity_y[i] * discs.velocity_y[i]);
+    world.listed_x[i] = discs.x[i];
+    world.listed_y[i] = discs.y[i];
+    world.listed_margin[i] = std::clamp(steps_of_a_fast_disc * speed * world.step, least, most);
   }
-  return partners;
+  return marked;
 }
 
-void list_contacts(World& world) {
-  const Discs& discs = world.discs;
-  const Pairs pairs = pairs_within(discs, world.skin);
-  const Partners partners = joint_partners(world);
-  book_contact_losses(world);
-  LinearContacts fresh;
-  const LinearContacts& old = world.contacts;
-  std::size_t cursor = 0;  // both lists are sorted by (disc1, disc2): one pass carries the histories over
-  for (std::size_t k = 0; k < pairs.disc1.size(); ++k) {
-    const int i = pairs.disc1[k], j = pairs.disc2[k];
-    if (partners.joined(i, j)) continue;
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    const double kn = linear_normal_stiffness(world.contact_modulus, discs.radius[a], discs.radius[b]);
-    const double reduced_mass = discs.mass[a] * discs.mass[b] / (discs.mass[a] + discs.mass[b]);
-    while (cursor < old.disc1.size() && (old.disc1[cursor] < i || (old.disc1[cursor] == i && old.disc2[cursor] < j))) {
-      ++cursor;
+void list_joints_of_discs(World& world) {
+  const FlatJoints& joints = world.joints;
+  constexpr std::size_t places = JointsOfDiscs::places, each = JointsOfDiscs::places_each;
+  const auto zero = static_cast<int>(joints.disc1.size());
+  world.joint_forces.assign(joints.disc1.size() + 1, {});
+  JointsOfDiscs& lists = world.joints_of_discs;
+  lists.joint.assign(places * world.discs.x.size(), zero);
+  lists.more.clear();
+  const auto enter = [&](int disc, std::size_t joint, bool as_disc1) {
+    int* const begin = &lists.joint[places * static_cast<std::size_t>(disc) + (as_disc1 ? 0 : each)];
+    int* const place = std::find(begin, begin + each, zero);
+    if (place != begin + each) {
+      *place = static_cast<int>(joint);
+    } else {
+      lists.more.push_back({disc, static_cast<int>(joint), as_disc1});
     }
-    const bool known = cursor < old.disc1.size() && old.disc1[cursor] == i && old.disc2[cursor] == j;
-    fresh.disc1.push_back(i);
-    fresh.disc2.push_back(j);
-    fresh.normal_stiffness.push_back(kn);
-    fresh.dashpot.push_back(dashpot_constant(world.contact_damping_ratio, reduced_mass, kn));
-    fresh.shear_dashpot.push_back(
-        dashpot_constant(world.contact_shear_damping_ratio, reduced_mass, kn / world.contact_stiffness_ratio));
-    fresh.spring.push_back(known ? old.spring[cursor] : 0.0);
-    if (!world.measure_energy) continue;
-    fresh.last_normal_dashpot.push_back(known ? old.last_normal_dashpot[cursor] : 0.0);
-    fresh.last_shear_dashpot.push_back(known ? old.last_shear_dashpot[cursor] : 0.0);
-    fresh.friction_loss.push_back(0.0);
-    fresh.dashpot_loss.push_back(0.0);
-    fresh.switching_loss.push_back(0.0);
+  };
+  for (std::size_t k = 0; k < joints.disc1.size(); ++k) {
+    enter(joints.disc1[k], k, true);
+    enter(joints.disc2[k], k, false);
+  }
+  std::stable_sort(lists.more.begin(), lists.more.end(),
+                   [](const JointsOfDiscs::Entry& a, const JointsOfDiscs::Entry& b) { return a.disc < b.disc; });
+}
+
+bool are_joined(const World& world, int i, int j) {
+  const FlatJoints& joints = world.joints;
+  const auto is_it = [&joints, i, j](int joint) {
+    const auto k = static_cast<std::size_t>(joint);
+    return k < joints.disc1.size() && std::minmax(joints.disc1[k], joints.disc2[k]) == std::minmax(i, j);
+  };
+  const JointsOfDiscs& lists = world.joints_of_discs;
+  const auto begin = lists.joint.begin() + static_cast<std::ptrdiff_t>(JointsOfDiscs::places) * i;
+  return std::any_of(begin, begin + JointsOfDiscs::places, is_it) ||
+         std::any_of(lists.more.begin(), lists.more.end(), [&is_it](const auto& entry) { return is_it(entry.joint); });
+}
+
+/// Adds a pair to `to`, with the history it has in `from` at `place`, if it has one.
+void add_contact(World& world, LinearContacts& to, int i, int j, const LinearContacts& from, std::size_t place,
+                 bool known) {
+  const Discs& discs = world.discs;
+  const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+  const double kn = linear_normal_stiffness(world.contact_modulus, discs.radius[a], discs.radius[b]);
+  const double reduced_mass = discs.mass[a] * discs.mass[b] / (discs.mass[a] + discs.mass[b]);
+  to.disc1.push_back(i);
+  to.disc2.push_back(j);
+  to.normal_stiffness.push_back(kn);
+  to.dashpot.push_back(dashpot_constant(world.contact_damping_ratio, reduced_mass, kn));
+  to.shear_dashpot.push_back(
+      dashpot_constant(world.contact_shear_damping_ratio, reduced_mass, kn / world.contact_stiffness_ratio));
+  to.spring.push_back(known ? from.spring[place] : 0.0);
+  to.touching.push_back(known ? from.touching[place] : 0);
+  if (!world.measure_energy) return;
+  to.last_normal_dashpot.push_back(known ? from.last_normal_dashpot[place] : 0.0);
+  to.last_shear_dashpot.push_back(known ? from.last_shear_dashpot[place] : 0.0);
+  to.friction_loss.push_back(0.0);
+  to.dashpot_loss.push_back(0.0);
+  to.switching_loss.push_back(0.0);
+}
+
+/// Pairs of discs that are not marked stay; those with a marked disc are found anew.
+void list_contacts(World& world, const std::vector<char>& marked) {
+  std::vector<double> reach = world.discs.radius;
+  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += world.listed_margin[i];
+  const Pairs found = marked_pairs(world.listed_x, world.listed_y, reach, marked);
+  book_contact_losses(world);
+  const LinearContacts& old = world.contacts;
+  LinearContacts fresh;
+  const auto pair = [](const auto& list, std::size_t k) {
+    return k < list.disc1.size() ? std::pair(list.disc1[k], list.disc2[k])
+                                 : std::pair(std::numeric_limits<int>::max(), 0);
+  };
+  std::size_t place = 0, k = 0;  // both lists are sorted by (disc1, disc2): one pass merges them
+  while (place < old.disc1.size() || k < found.disc1.size()) {
+    const auto kept = pair(old, place), seen = pair(found, k);
+    if (seen <= kept) {
+      if (seen == kept || !are_joined(world, seen.first, seen.second)) {
+        add_contact(world, fresh, seen.first, seen.second, old, place, seen == kept);
+      }
+      ++k;
+      if (seen == kept) ++place;
+      continue;
+    }
+    const bool stays =
+        marked[static_cast<std::size_t>(kept.first)] == 0 && marked[static_cast<std::size_t>(kept.second)] == 0;
+    if (stays) add_contact(world, fresh, kept.first, kept.second, old, place, true);
+    ++place;
   }
   world.contacts = std::move(fresh);
 }
 
+struct Box {
+  double x_low, y_low, x_high, y_high;
+
+  bool holds(double x, double y) const { return x >= x_low && x <= x_high && y >= y_low && y <= y_high; }
+};
+
+Box box_around(const ConvexPolygon& shape, double margin) {
+  const auto [x_low, x_high] = std::minmax_element(shape.x.begin(), shape.x.end());
+  const auto [y_low, y_high] = std::minmax_element(shape.y.begin(), shape.y.end());
+  return {*x_low - margin, *y_low - margin, *x_high + margin, *y_high + margin};
+}
+
 void list_boundary_neighbours(World& world) {
   const Discs& discs = world.discs;
+  const double largest_radius = *std::max_element(discs.radius.begin(), discs.radius.end());
+  const double largest_margin = *std::max_element(world.listed_margin.begin(), world.listed_margin.end());
   for (Boundary& boundary : world.boundaries) {
     for (std::vector<double>* values :
          {&boundary.spring, &boundary.reference_overlap, &boundary.last_normal_dashpot, &boundary.last_shear_dashpot}) {
       values->resize(discs.x.size(), 0.0);
     }
     boundary.displaced = 0.0;
+    const std::vector<int> old = std::move(boundary.near);
     boundary.near.clear();
+    const Box box = box_around(boundary.shape, largest_radius + largest_margin + 0.5 * world.skin);
     for (std::size_t i = 0; i < discs.x.size(); ++i) {
-      const NearestPoint point = nearest_point(boundary.shape, discs.x[i], discs.y[i]);
-      if (point.distance < discs.radius[i] + world.skin) {
+      const double x = world.listed_x[i], y = world.listed_y[i];
+      if (!box.holds(x, y)) continue;
+      if (nearest_point(boundary.shape, x, y).distance < discs.radius[i] + world.listed_margin[i] + 0.5 * world.skin) {
         boundary.near.push_back(static_cast<int>(i));
-      } else {
-        boundary.spring[i] = 0.0;
-        boundary.reference_overlap[i] = 0.0;  // once it has left, it comes back as a stranger
       }
+    }
+    for (const int disc : old) {
+      if (std::binary_search(boundary.near.begin(), boundary.near.end(), disc)) continue;
+      boundary.spring[static_cast<std::size_t>(disc)] = 0.0;
+      boundary.reference_overlap[static_cast<std::size_t>(disc)] = 0.0;  // it comes back as a stranger
     }
     for (std::vector<double>* values :
          {&boundary.contact_force_x, &boundary.contact_force_y, &boundary.contact_moment}) {
@@ -106,29 +182,11 @@ void list_boundary_neighbours(World& world) {
   }
 }
 
-void list_slots(World& world) {
-  ForceSlots& slots = world.slots;
-  const std::size_t contacts = world.joints.disc1.size() + world.contacts.disc1.size();
-  for (std::vector<double>* values : {&slots.force_x, &slots.force_y, &slots.moment}) values->resize(2 * contacts);
-  slots.first.assign(world.discs.x.size() + 1, 0);
-  slots.slot.resize(2 * contacts);
-  const auto for_each_slot = [&world](const auto& visit) {
-    std::size_t slot = 0;
-    for (std::size_t k = 0; k < world.joints.disc1.size(); ++k) {
-      visit(static_cast<std::size_t>(world.joints.disc1[k]), slot++);
-      visit(static_cast<std::size_t>(world.joints.disc2[k]), slot++);
-    }
-    for (std::size_t k = 0; k < world.contacts.disc1.size(); ++k) {
-      visit(static_cast<std::size_t>(world.contacts.disc1[k]), slot++);
-      visit(static_cast<std::size_t>(world.contacts.disc2[k]), slot++);
-    }
-  };
-  for_each_slot([&slots](std::size_t disc, std::size_t) { ++slots.first[disc + 1]; });
-  for (std::size_t i = 1; i < slots.first.size(); ++i) slots.first[i] += slots.first[i - 1];
-  std::vector<int> next(slots.first.begin(), slots.first.end() - 1);
-  for_each_slot([&](std::size_t disc, std::size_t slot) {
-    slots.slot[static_cast<std::size_t>(next[disc]++)] = static_cast<int>(slot);
-  });
+bool lists_hold(const World& world) {
+  if (!world.lists_valid) return false;
+  const auto moved_far = [&world](const Boundary& boundary) { return boundary.displaced > 0.5 * world.skin; };
+  if (std::any_of(world.boundaries.begin(), world.boundaries.end(), moved_far)) return false;
+  return std::all_of(world.most_strayed.begin(), world.most_strayed.end(), [](double s) { return s <= 0.0; });
 }
 
 }  // namespace
@@ -145,6 +203,7 @@ void prepare(World& world) {
   const Discs& discs = world.discs;
   world.skin = skin_per_radius * *std::min_element(discs.radius.begin(), discs.radius.end());
   world.fresh_cracks.assign(static_cast<std::size_t>(world.threads), {});
+  world.most_strayed.assign(static_cast<std::size_t>(world.threads), 0.0);
   // Every element can break once: with this much room, recording a crack never allocates during a step.
   const std::size_t elements = world.joints.state.size();
   world.cracks.reserve(world.cracks.size() + elements);
@@ -160,19 +219,19 @@ void prepare(World& world) {
 }
 
 void refresh_neighbours(World& world) {
-  double moved = world.largest_displacement;
-  for (const Boundary& boundary : world.boundaries) moved = std::max(moved, boundary.displaced);
-  if (world.lists_valid && moved <= 0.5 * world.skin) return;
+  if (lists_hold(world)) return;
   require_finite(world);
-  remove_lost_discs(world);
+  const bool discs_left = remove_lost_discs(world);
   if (world.discs.count() == 0) throw base::SimulationError("every disc has left the domain");
-  end_finished_joints(world);
-  list_contacts(world);
+  const std::vector<int> freed = end_finished_joints(world);
+  const std::vector<char> marked = mark_moved_discs(world, freed);
+  if (!world.lists_valid || discs_left || !freed.empty()) {
+    list_joints_of_discs(world);
+  }
+  list_contacts(world, marked);
+  world.contact_forces.assign(world.contacts.disc1.size(), {});
   list_boundary_neighbours(world);
-  list_slots(world);
-  world.listed_x = world.discs.x;
-  world.listed_y = world.discs.y;
-  world.largest_displacement = 0.0;
+  std::fill(world.most_strayed.begin(), world.most_strayed.end(), 0.0);
   world.lists_valid = true;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
-/// Who can touch whom. Lists hold every pair closer than `skin`; they stay right until a disc and its partner together
-/// have moved that far, so they are made anew when any disc or boundary has moved half of it. Making them anew also
-/// removes discs that left the domain and joints that are over (removal.hpp). Histories of contacts are carried across.
+/// Who can touch whom. Each disc may move by a margin of its own from where it was last listed, half a skin for most
+/// and more for fast ones, and the lists hold every pair that can meet within the margins of both. When a disc has used
+/// up its margin, or a boundary has moved half a skin, the discs that moved are listed anew, and only their pairs are
+/// searched: rock at rest costs nothing. At the same instants discs that left the domain and joints that are over go
+/// (removal.hpp). Histories of contacts are carried across.
 
 #include "dem2d/step/world.hpp"
 

@@ -22,16 +22,26 @@ inline PairMotion pair_motion(const Discs& discs, std::size_t i, std::size_t j) 
   PairMotion motion;
   const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
   motion.distance = std::sqrt(dx * dx + dy * dy);
-  motion.normal_x = dx / motion.distance;
-  motion.normal_y = dy / motion.distance;
-  const double gap = motion.distance - discs.radius[i] - discs.radius[j];
-  motion.lever1 = discs.radius[i] + 0.5 * gap;  // the contact point is the middle of gap or overlap
-  motion.lever2 = discs.radius[j] + 0.5 * gap;
+  const double inverse = 1.0 / motion.distance;
+  motion.normal_x = dx * inverse;
+  motion.normal_y = dy * inverse;
+  const double radius_difference = discs.radius[i] - discs.radius[j];
+  motion.lever1 = 0.5 * (motion.distance + radius_difference);  // the contact point is the middle of gap or overlap
+  motion.lever2 = 0.5 * (motion.distance - radius_difference);
   const double du = discs.velocity_x[j] - discs.velocity_x[i], dv = discs.velocity_y[j] - discs.velocity_y[i];
   motion.normal_speed = du * motion.normal_x + dv * motion.normal_y;
   motion.shear_speed =
       dv * motion.normal_x - du * motion.normal_y - discs.spin[j] * motion.lever2 - discs.spin[i] * motion.lever1;
   return motion;
+}
+
+/// What a pair force does to both discs: `pull` along n and `shear` along t act on disc 1, their negatives on disc 2;
+/// `moment` is the interface's own moment, minus it on disc 1.
+inline PairForce pair_force(const PairMotion& motion, double pull, double shear, double moment) {
+  return {.x = pull * motion.normal_x - shear * motion.normal_y,
+          .y = pull * motion.normal_y + shear * motion.normal_x,
+          .moment1 = motion.lever1 * shear - moment,
+          .moment2 = motion.lever2 * shear + moment};
 }
 
 inline LinearLaw contact_law(const World& world, std::size_t contact) {

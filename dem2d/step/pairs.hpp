@@ -9,11 +9,18 @@
 
 namespace dem2d {
 
-/// All pairs (i < j, sorted) with distance between surfaces at most `gap` [m].
+/// Pairs (i < j), sorted.
 struct Pairs {
   std::vector<int> disc1, disc2;
 };
-/// The search ends at the first disc after which more than `most` are found: a guard against heaps of discs.
+
+/// All pairs with distance between surfaces at most `gap` [m]. The search ends at the first disc after which more than
+/// `most` are found: a guard against heaps of discs.
 Pairs pairs_within(const Discs& discs, double gap, std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// All pairs with centres at most `reach` of the one and `reach` of the other apart [m], of which at least one disc is
+/// `marked`.
+Pairs marked_pairs(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& reach,
+                   const std::vector<char>& marked);
 
 }  // namespace dem2d

@@ -22,23 +22,16 @@ void keep(std::vector<T>& values, const std::vector<char>& flags, std::size_t en
 }
 
 void keep_joints(FlatJoints& joints, const std::vector<char>& flags) {
-  keep(joints.disc1, flags);
-  keep(joints.disc2, flags);
-  keep(joints.bonded, flags);
-  for (std::vector<double>* values :
-       {&joints.half_length, &joints.normal_stiffness, &joints.shear_stiffness, &joints.tensile_strength,
-        &joints.cohesion, &joints.tan_friction_angle, &joints.friction, &joints.touching_distance,
-        &joints.stress_free_rotation, &joints.shear_displacement, &joints.friction_loss, &joints.switching_loss,
-        &joints.breaking_loss}) {
-    keep(*values, flags);
-  }
-  keep(joints.shear_stress, flags, static_cast<std::size_t>(joints.elements));
+  for (std::vector<int>* values : integer_arrays(joints)) keep(*values, flags);
+  for (std::vector<double>* values : number_arrays(joints)) keep(*values, flags);
+  keep(joints.element_shear_stress, flags, static_cast<std::size_t>(joints.elements));
   keep(joints.state, flags, static_cast<std::size_t>(joints.elements));
 }
 
 void keep_contacts(LinearContacts& contacts, const std::vector<char>& flags) {
   keep(contacts.disc1, flags);
   keep(contacts.disc2, flags);
+  keep(contacts.touching, flags);
   for (std::vector<double>* values : {&contacts.normal_stiffness, &contacts.dashpot, &contacts.shear_dashpot,
                                       &contacts.spring, &contacts.last_normal_dashpot, &contacts.last_shear_dashpot,
                                       &contacts.friction_loss, &contacts.dashpot_loss, &contacts.switching_loss}) {
@@ -69,22 +62,25 @@ double successor_energy(const World& world, std::size_t joint) {
 
 }  // namespace
 
-void end_finished_joints(World& world) {
-  std::vector<char> stays(world.joints.disc1.size(), 1);
-  bool any_over = false;
-  for (std::size_t joint = 0; joint < stays.size(); ++joint) {
+std::vector<int> end_finished_joints(World& world) {
+  const FlatJoints& joints = world.joints;
+  std::vector<int> freed;
+  std::vector<char> stays;
+  for (std::size_t joint = 0; joint < joints.disc1.size(); ++joint) {
     if (!joint_is_over(world, joint)) continue;
+    stays.resize(joints.disc1.size(), 1);
     stays[joint] = 0;
-    any_over = true;
+    freed.insert(freed.end(), {joints.disc1[joint], joints.disc2[joint]});
     world.energy.injected += successor_energy(world, joint) - joint_energy(world, joint) -
-                             last_half_step(world, joint, world.joints.disc1[joint], world.joints.disc2[joint]);
+                             last_half_step(world, world.joint_forces, joint, joints.disc1[joint], joints.disc2[joint]);
   }
-  if (!any_over) return;
+  if (freed.empty()) return freed;
   book_joint_losses(world, stays);
   keep_joints(world.joints, stays);
+  return freed;
 }
 
-void remove_lost_discs(World& world) {
+bool remove_lost_discs(World& world) {
   Discs& discs = world.discs;
   const Domain& box = world.domain;
   std::vector<char> stays(discs.x.size(), 1);
@@ -97,7 +93,7 @@ void remove_lost_discs(World& world) {
     stays[i] = lost ? 0 : 1;
     if (!lost) renumbered[i] = kept++;
   }
-  if (kept == discs.count()) return;
+  if (kept == discs.count()) return false;
   world.removed_discs += discs.count() - kept;
 
   const auto both_stay = [&stays](const std::vector<int>& a, const std::vector<int>& b) {
@@ -115,6 +111,8 @@ void remove_lost_discs(World& world) {
   if (world.measure_energy) book_lost_discs(world, stays, joints_stay, contacts_stay);
   keep_joints(world.joints, joints_stay);
   keep_contacts(world.contacts, contacts_stay);
+  keep(world.joint_forces, joints_stay);  // their last half step is still to be looked at
+  keep(world.contact_forces, contacts_stay);
   for (std::vector<int>* indices :
        {&world.joints.disc1, &world.joints.disc2, &world.contacts.disc1, &world.contacts.disc2}) {
     renumber(*indices);
@@ -124,14 +122,15 @@ void remove_lost_discs(World& world) {
          {&boundary.spring, &boundary.reference_overlap, &boundary.last_normal_dashpot, &boundary.last_shear_dashpot}) {
       keep(*values, stays);
     }
+    std::erase_if(boundary.near, [&stays](int disc) { return stays[static_cast<std::size_t>(disc)] == 0; });
+    renumber(boundary.near);
   }
   keep(discs.id, stays);
-  for (std::vector<double>* values :
-       {&discs.x, &discs.y, &discs.angle, &discs.velocity_x, &discs.velocity_y, &discs.spin, &discs.force_x,
-        &discs.force_y, &discs.moment, &discs.radius, &discs.mass, &discs.inertia, &discs.damping_loss, &world.listed_x,
-        &world.listed_y}) {
-    keep(*values, stays);
-  }
+  for (std::vector<double>* values : number_arrays(discs)) keep(*values, stays);
+  keep(world.listed_x, stays);
+  keep(world.listed_y, stays);
+  keep(world.listed_margin, stays);
+  return true;
 }
 
 }  // namespace dem2d

@@ -11,10 +11,11 @@
 
 namespace dem2d {
 
-/// Removes discs outside the domain with their joints and contacts; the others keep order, histories and ids.
-void remove_lost_discs(World& world);
+/// Removes discs outside the domain with their joints and contacts; the others keep order, histories and ids. Returns
+/// whether there were any.
+bool remove_lost_discs(World& world);
 
-/// Ends the joints that are over and adds up the energy this injects.
-void end_finished_joints(World& world);
+/// Ends the joints that are over and adds up the energy this injects. Returns the discs they joined.
+std::vector<int> end_finished_joints(World& world);
 
 }  // namespace dem2d

@@ -8,11 +8,12 @@
 /// and likewise for spin and angle with moment and inertia. Local damping [Cundall1987] takes alpha |F| off every
 /// component of the unbalanced force, against the velocity: F <- F - alpha |F| sign(v).
 
+#include "dem2d/step/share.hpp"
 #include "dem2d/step/world.hpp"
 
 namespace dem2d {
 
-/// Advances the world by `world.step`. Allocates nothing but at a rebuild of the neighbour lists.
+/// Advances the world by `world.step`. Allocates nothing but when discs are listed anew.
 void advance(World& world);
 
 /// The two halves of `advance`. Between them positions and forces belong to the same instant: the place to look at
@@ -20,15 +21,15 @@ void advance(World& world);
 void find_forces(World& world);
 void move(World& world);
 
-// The stages of `find_forces` and `move`, in their order.
-void refresh_neighbours(World& world);  ///< neighbours.cpp
-void joint_forces(World& world);        ///< forces.cpp
-void contact_forces(World& world);      ///< forces.cpp
-void boundary_forces(World& world);     ///< forces.cpp
-void sum_forces(World& world);          ///< forces.cpp
-void integrate(World& world);           ///< integrate.cpp
-void move_boundaries(World& world);     ///< integrate.cpp
-void collect_cracks(World& world);      ///< integrate.cpp
+// The stages of `find_forces`, in their order. A thread of a team calls each with its share of the work.
+void refresh_neighbours(World& world);                       ///< neighbours.cpp; not for teams
+void joint_forces(World& world, const Share& share = {});    ///< joint_forces.cpp
+void contact_forces(World& world, const Share& share = {});  ///< contact_forces.cpp
+void boundary_forces(World& world);                          ///< contact_forces.cpp; one thread of a team
+void sum_forces(World& world, const Share& share = {});      ///< sum_forces.cpp, after all of the others
+
+/// The stage of `move`, before boundaries move and cracks are collected.
+void integrate(World& world, const Share& share = {});  ///< integrate.cpp
 
 /// Largest stable step [s] times 0.8, over all discs and their present contacts:
 ///

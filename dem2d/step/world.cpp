@@ -11,13 +11,20 @@ void add_disc(Discs& discs, double x, double y, double radius, double density) {
   discs.x.push_back(x);
   discs.y.push_back(y);
   discs.radius.push_back(radius);
-  const double mass = density * std::numbers::pi * radius * radius;
-  discs.mass.push_back(mass);
-  discs.inertia.push_back(0.5 * mass * radius * radius);
-  for (std::vector<double>* zero : {&discs.angle, &discs.velocity_x, &discs.velocity_y, &discs.spin, &discs.force_x,
-                                    &discs.force_y, &discs.moment}) {
+  for (std::vector<double>* zero :
+       {&discs.angle, &discs.velocity_x, &discs.velocity_y, &discs.spin, &discs.force_x, &discs.force_y, &discs.moment,
+        &discs.mass, &discs.inertia, &discs.inverse_mass, &discs.inverse_inertia}) {
     zero->push_back(0.0);
   }
+  const double mass = density * std::numbers::pi * radius * radius;
+  set_mass(discs, discs.x.size() - 1, mass, 0.5 * mass * radius * radius);
+}
+
+void set_mass(Discs& discs, std::size_t disc, double mass, double inertia) {
+  discs.mass[disc] = mass;
+  discs.inertia[disc] = inertia;
+  discs.inverse_mass[disc] = 1.0 / mass;
+  discs.inverse_inertia[disc] = 1.0 / inertia;
 }
 
 void add_joint(World& world, int disc1, int disc2, const JointProperties& properties) {
@@ -39,10 +46,12 @@ void add_joint(World& world, int disc1, int disc2, const JointProperties& proper
   const double initial_gap = properties.type == JointType::gapped ? properties.initial_gap : 0.0;
   joints.touching_distance.push_back(std::sqrt(dx * dx + dy * dy) - initial_gap);
   joints.stress_free_rotation.push_back(discs.angle[j] - discs.angle[i]);
+  joints.radius_difference.push_back(discs.radius[i] - discs.radius[j]);
   joints.shear_displacement.push_back(0.0);
+  joints.shear_stress.push_back(0.0);
   const bool bonded = properties.type == JointType::bonded;
   joints.bonded.push_back(bonded ? joints.elements : 0);
-  joints.shear_stress.insert(joints.shear_stress.end(), static_cast<std::size_t>(joints.elements), 0.0);
+  joints.element_shear_stress.insert(joints.element_shear_stress.end(), static_cast<std::size_t>(joints.elements), 0.0);
   joints.state.insert(joints.state.end(), static_cast<std::size_t>(joints.elements),
                       bonded ? ElementState::bonded : ElementState::never_bonded);
 }

@@ -5,6 +5,7 @@
 /// Instants: positions and angles live at time t, velocities and spins half a step earlier (t - dt/2), forces at t.
 /// Everything is per metre of out-of-plane thickness: masses [kg/m], forces [N/m], moments [N].
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -23,16 +24,34 @@ struct Discs {
   std::vector<double> radius;                  ///< [m]
   std::vector<double> mass;                    ///< rho pi R^2 [kg/m]
   std::vector<double> inertia;                 ///< mass R^2 / 2 [kg m]
+  std::vector<double> inverse_mass;            ///< [m/kg]; 0 for a disc that is held in its place
+  std::vector<double> inverse_inertia;         ///< [1/(kg m)]; 0 for a disc that is held in its place
   std::vector<int> id;                         ///< number the disc was born with; keeps its meaning when others leave
   std::vector<double> damping_loss;            ///< to local damping [J/m]; empty unless energy is measured
 
   int count() const { return static_cast<int>(x.size()); }
 };
 
+/// All arrays of numbers of the discs, for what treats them alike (remove, permute, append); `id` besides.
+template <class DiscsType>
+auto number_arrays(DiscsType& d) requires requires {
+  d.inverse_mass;
+}
+{
+  return std::array{&d.x,    &d.y,       &d.angle,        &d.velocity_x,      &d.velocity_y,
+                    &d.spin, &d.force_x, &d.force_y,      &d.moment,          &d.radius,
+                    &d.mass, &d.inertia, &d.inverse_mass, &d.inverse_inertia, &d.damping_loss};
+}
+
 /// Adds a disc at rest.
 void add_disc(Discs& discs, double x, double y, double radius, double density);
 
-/// One entry a joint; `shear_stress` and `state` hold `elements` entries a joint, one after the other.
+void set_mass(Discs& discs, std::size_t disc, double mass, double inertia);
+
+/// One entry a joint; `element_shear_stress` and `state` hold `elements` entries a joint, one after the other.
+///
+/// A joint is whole while all its elements are bonded. They have had the same motion then, so they share one shear
+/// stress, and the joint goes by its closed form (contact/flat_joint.hpp).
 struct FlatJoints {
   int elements = 1;
   double residual_cohesion = 0.0;  ///< of elements broken in shear [Pa]
@@ -42,9 +61,11 @@ struct FlatJoints {
   std::vector<double> tensile_strength, cohesion, tan_friction_angle, friction;  ///< [Pa], [Pa], [1], [1]
   std::vector<double> touching_distance;     ///< between centres: the gap of the faces is distance minus this [m]
   std::vector<double> stress_free_rotation;  ///< angle of disc 2 minus angle of disc 1 at installation [rad]
-  std::vector<double> shear_displacement;    ///< of disc 2 against disc 1 since installation [m]
+  std::vector<double> radius_difference;     ///< of disc 1 minus disc 2 [m]
+  std::vector<double> shear_displacement;    ///< of disc 2 against disc 1, kept up once a joint is damaged [m]
   std::vector<int> bonded;                   ///< elements still bonded
-  std::vector<double> shear_stress;          ///< [Pa]
+  std::vector<double> shear_stress;          ///< of a whole joint [Pa]
+  std::vector<double> element_shear_stress;  ///< of a damaged joint [Pa]
   std::vector<ElementState> state;
   std::vector<double> friction_loss, switching_loss, breaking_loss;  ///< [J/m]; empty unless energy is measured
 
@@ -62,6 +83,23 @@ struct FlatJoints {
             .drop_to_residual = drop_to_residual};
   }
 };
+
+/// All arrays of numbers of the joints with one entry a joint, and all of integers; `element_shear_stress` and `state`,
+/// with `elements` entries a joint, besides.
+template <class JointsType>
+auto number_arrays(JointsType& j) requires requires {
+  j.touching_distance;
+}
+{
+  return std::array{
+      &j.half_length,        &j.normal_stiffness, &j.shear_stiffness,   &j.tensile_strength,     &j.cohesion,
+      &j.tan_friction_angle, &j.friction,         &j.touching_distance, &j.stress_free_rotation, &j.radius_difference,
+      &j.shear_displacement, &j.shear_stress,     &j.friction_loss,     &j.switching_loss,       &j.breaking_loss};
+}
+template <class JointsType>
+auto integer_arrays(JointsType& j) {
+  return std::array{&j.disc1, &j.disc2, &j.bonded};
+}
 
 /// What a joint is like when it is made [Potyondy2012]: bonded; slit: faces touch, not bonded; gapped: faces apart by
 /// an initial gap, not bonded.
@@ -84,6 +122,7 @@ struct LinearContacts {
   std::vector<int> disc1, disc2;
   std::vector<double> normal_stiffness, dashpot, shear_dashpot;  ///< [Pa], [Pa s], [Pa s]
   std::vector<double> spring;                                    ///< history: force of the shear spring [N/m]
+  std::vector<char> touching;                                    ///< at the last step; if not, the force is zero
   // empty unless energy is measured
   std::vector<double> last_normal_dashpot, last_shear_dashpot;      ///< forces at the last step [N/m]
   std::vector<double> friction_loss, dashpot_loss, switching_loss;  ///< [J/m]
@@ -129,12 +168,24 @@ struct Domain {
   double x_low, y_low, x_high, y_high;
 };
 
-/// Results of the contact pass, two slots a contact (one a disc), and for each disc the list of its slots.
-/// Adding up slots in list order gives the same sum for any number of threads.
-struct ForceSlots {
-  std::vector<double> force_x, force_y, moment;
-  std::vector<int> first;  ///< first entry in `slot` of each disc; one more entry than discs
-  std::vector<int> slot;
+/// What a contact does to its two discs. Four numbers, one load of a vector unit.
+struct alignas(32) PairForce {
+  double x, y;              ///< on disc 1, and with the other sign on disc 2 [N/m]
+  double moment1, moment2;  ///< on disc 1, on disc 2 [N]
+};
+
+/// For each disc the joints to add up, without branches: eight places a disc, four for joints whose disc 1 it is and
+/// four for those whose disc 2 it is. Places that are not needed point to a force that is always zero, behind the last
+/// joint; joints that find no place stand in `more`, sorted by disc. The order of the sum never depends on threads.
+struct JointsOfDiscs {
+  static constexpr std::size_t places_each = 4, places = 2 * places_each;
+  std::vector<int> joint;
+
+  struct Entry {
+    int disc, joint;
+    bool as_disc1;
+  };
+  std::vector<Entry> more;
 };
 
 /// Where energy went that no longer is in motion or springs, summed over all that has left the lists and over boundary
@@ -173,10 +224,13 @@ struct World {
 
   // neighbour lists
   double skin = 0.0;                       ///< lists hold every pair closer than this [m]
-  double largest_displacement = 0.0;       ///< of any disc since the lists were made [m]
-  std::vector<double> listed_x, listed_y;  ///< positions when the lists were made [m]
+  std::vector<double> most_strayed;        ///< largest (moved^2 - margin^2) of any disc, one entry a thread [m2]
+  std::vector<double> listed_x, listed_y;  ///< position of each disc when it was last listed [m]
+  std::vector<double> listed_margin;       ///< how far it may move from there before it is listed anew [m]
   bool lists_valid = false;
-  ForceSlots slots;
+  std::vector<PairForce> joint_forces;    ///< one a joint, and behind them one that is zero
+  std::vector<PairForce> contact_forces;  ///< one a contact
+  JointsOfDiscs joints_of_discs;
   std::vector<std::vector<Crack>> fresh_cracks;  ///< of this step, one list a thread
 
   int removed_discs = 0;

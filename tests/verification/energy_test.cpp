@@ -113,7 +113,9 @@ TEST_P(EnergyOfAPair, ABreakReleasesWhatTheStrengthSays) {
   // Pulled apart slowly along its axis, every element of the joint holds sigma_c^2 / (2 kn) per area when it breaks.
   const double strength = 1e6, kn = modulus / (2.0 * radius);
   dem2d::World world = on_path(small_worlds::chain(2, strength));
-  world.discs.mass = {1e6, 1e6};  // heavy discs are moved, not stopped, by the joint: a steady pull
+  for (const std::size_t disc : {0u, 1u}) {
+    dem2d::set_mass(world.discs, disc, 1e6, world.discs.inertia[disc]);
+  }  // heavy discs are moved, not stopped, by the joint: a steady pull
   world.discs.velocity_x = {-0.5e-3, 0.5e-3};
   world.measure_energy = true;
   dem2d::prepare(world);

@@ -89,57 +89,6 @@ TEST(ResidualStrength, AnElementBrokenInTensionHasNone) {
   }
 }
 
-TEST(WholeJoint, ClosedFormEqualsTheReferenceForRandomHistories) {
-  base::Random random(5);
-  int whole = 0, broke = 0;
-  for (int history = 0; history < 3000; ++history) {
-    const int elements = 1 + static_cast<int>(base::below(random, 6));
-    const dem2d::FlatJointLaw law = law_with(elements);
-    std::vector<ElementState> state(static_cast<std::size_t>(elements), ElementState::bonded);
-    std::vector<double> shear(static_cast<std::size_t>(elements), 0.0);
-    double shared = 0.0;
-    for (int step = 0; step < 8; ++step) {
-      const dem2d::InterfaceMotion motion{.gap = base::uniform(random, -12e-6, 8e-6),
-                                          .rotation = base::uniform(random, -8e-3, 8e-3),
-                                          .shear_increment = base::uniform(random, -30e-6, 30e-6)};
-      dem2d::InterfaceForce fast;
-      const bool stays_whole = dem2d::update_whole_joint(law, motion, shared, fast);
-      std::uint64_t broken = 0;
-      const dem2d::InterfaceForce slow = update_flat_joint(law, motion, state.data(), shear.data(), broken);
-      ASSERT_EQ(stays_whole, broken == 0) << "both must agree on what breaks";
-      if (!stays_whole) {
-        ++broke;
-        break;
-      }
-      ++whole;
-      const double force = law.normal_stiffness * 1e-5 * 2e-3;  // size of the forces at hand [N/m]
-      ASSERT_NEAR(fast.normal, slow.normal, 1e-13 * force);
-      ASSERT_NEAR(fast.shear, slow.shear, 1e-13 * force);
-      ASSERT_NEAR(fast.moment, slow.moment, 1e-13 * force * 1e-3);
-      ASSERT_EQ(shared, shear[0]);
-      double stored = 0.0;
-      const double length = 2.0 * law.half_length / elements;
-      for (int e = 0; e < elements; ++e) {
-        const double a = -law.half_length + length * e, b = a + length;
-        const dem2d::ElementGaps gaps{motion.gap - motion.rotation * a, motion.gap - motion.rotation * b};
-        stored += dem2d::stored_energy(law, length, gaps, ElementState::bonded, shear[static_cast<std::size_t>(e)]);
-      }
-      ASSERT_NEAR(dem2d::whole_joint_energy(law, motion.gap, motion.rotation, shared), stored, 1e-13 * force * 1e-5);
-    }
-  }
-  EXPECT_GT(whole, 1000);
-  EXPECT_GT(broke, 1000);
-}
-
-TEST(WholeJoint, ABreakAtExactlyTheStrengthIsLeftToTheReference) {
-  dem2d::FlatJointLaw law = law_with(2);
-  dem2d::InterfaceForce force;
-  double shear = 0.0;
-  EXPECT_FALSE(dem2d::update_whole_joint(law, {.gap = 10e-6, .rotation = 0.0, .shear_increment = 0.0}, shear, force));
-  EXPECT_TRUE(dem2d::update_whole_joint(law, {.gap = 10e-6 * (1.0 - 1e-9), .rotation = 0.0, .shear_increment = 0.0},
-                                        shear, force));
-}
-
 /// Many discs far apart in pairs: a specimen whose joints can be counted.
 dem2d::Specimen many_pairs(int pairs) {
   dem2d::Specimen specimen;
@@ -199,11 +148,11 @@ TEST(JointTypes, AGappedJointCarriesNothingUntilItsGapIsClosed) {
   world.step = 1e-9;
   world.discs.x[1] = 2e-3 - 1.5e-6;
   dem2d::joint_forces(world);
-  EXPECT_EQ(world.slots.force_x[0], 0.0);
+  EXPECT_EQ(world.joint_forces[0].x, 0.0);
   world.discs.x[1] = 2e-3 - 3e-6;
   dem2d::joint_forces(world);
   const double kn = small_worlds::modulus / 2e-3;
-  EXPECT_NEAR(world.slots.force_x[0], -kn * 1e-6 * 2e-3, 1e-9 * kn * 1e-6 * 2e-3);
+  EXPECT_NEAR(world.joint_forces[0].x, -kn * 1e-6 * 2e-3, 1e-9 * kn * 1e-6 * 2e-3);
 }
 
 TEST(StrengthScatter, HasTheMeanAndDeviationOfTheRock) {

@@ -1,0 +1,165 @@
+#include "dem2d/cut/window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "dem2d/specimen/order.hpp"
+#include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/step.hpp"
+
+namespace dem2d {
+
+namespace {
+
+constexpr double columns_at_a_time = 4.0;
+
+int place_in_bed(const Window& window, int id) {
+  return window.place_in_bed[static_cast<std::size_t>(id)];
+}
+
+void append_disc(Discs& to, const Discs& from, std::size_t disc) {
+  to.id.push_back(from.id[disc]);
+  const auto target = number_arrays(to);
+  const auto source = number_arrays(from);
+  for (std::size_t k = 0; k < target.size(); ++k) {
+    if (!source[k]->empty()) target[k]->push_back((*source[k])[disc]);
+  }
+}
+
+void append_joint(FlatJoints& to, const FlatJoints& from, std::size_t joint, int disc1, int disc2) {
+  const auto target = number_arrays(to);
+  const auto source = number_arrays(from);
+  for (std::size_t k = 0; k < target.size(); ++k) {
+    if (!source[k]->empty()) target[k]->push_back((*source[k])[joint]);
+  }
+  to.disc1.push_back(disc1);
+  to.disc2.push_back(disc2);
+  to.bonded.push_back(from.bonded[joint]);
+  const auto elements = static_cast<std::size_t>(from.elements);
+  for (std::size_t element = joint * elements; element < (joint + 1) * elements; ++element) {
+    to.element_shear_stress.push_back(from.element_shear_stress[element]);
+    to.state.push_back(from.state[element]);
+  }
+}
+
+/// Rock below `high` that has not entered yet enters.
+void let_in(Window& window, World& world, double high) {
+  const Discs& rock = window.bed.discs;
+  for (; window.entered_discs < rock.x.size() && rock.x[window.entered_discs] < high; ++window.entered_discs) {
+    append_disc(world.discs, rock, window.entered_discs);
+  }
+  std::vector<int> place(rock.x.size(), -1);  // in the world, by place in the bed
+  for (std::size_t i = 0; i < world.discs.x.size(); ++i) {
+    place[static_cast<std::size_t>(place_in_bed(window, world.discs.id[i]))] = static_cast<int>(i);
+  }
+  const FlatJoints& joints = window.bed.joints;
+  std::vector<std::size_t> entering;
+  for (; window.entered_joints < window.joint_order.size(); ++window.entered_joints) {
+    const std::size_t joint = window.joint_order[window.entered_joints];
+    if (static_cast<std::size_t>(joints.disc2[joint]) >= window.entered_discs) break;
+    entering.push_back(joint);
+  }
+  std::sort(entering.begin(), entering.end());  // as in the bed: by their first disc
+  for (const std::size_t joint : entering) {
+    const int disc1 = place[static_cast<std::size_t>(joints.disc1[joint])];
+    const int disc2 = place[static_cast<std::size_t>(joints.disc2[joint])];
+    if (disc1 >= 0 && disc2 >= 0) append_joint(world.joints, joints, joint, disc1, disc2);
+  }
+}
+
+/// Discs that will be left behind, as they are now.
+void remember_left_behind(Window& window, const World& world) {
+  for (std::size_t i = 0; i < world.discs.x.size(); ++i) {
+    if (world.discs.x[i] < window.low) append_disc(window.left_behind, world.discs, i);
+  }
+}
+
+/// Holds the outermost columns as far as their discs are where they were made, and the discs that the bed holds; lets
+/// the others go.
+void hold_ends(const Window& window, World& world) {
+  Discs& discs = world.discs;
+  const Discs& rock = window.bed.discs;
+  const bool cut_behind = window.low > 0.0, cut_ahead = window.entered_discs < rock.x.size();
+  const double low = window.low + window.column, high = window.high - window.column;
+  for (std::size_t i = 0; i < discs.x.size(); ++i) {
+    const auto made = static_cast<std::size_t>(place_in_bed(window, discs.id[i]));
+    const bool at_an_end = (cut_behind && discs.x[i] < low) || (cut_ahead && discs.x[i] > high);
+    if (rock.inverse_mass[made] == 0.0 || (at_an_end && is_in_its_place(window, discs, i))) {
+      world.energy.removed += hold(discs, i);
+    } else {
+      release(discs, i);
+    }
+  }
+}
+
+double whole_columns(const Window& window, double x) {
+  return std::floor(x / window.column) * window.column;
+}
+
+}  // namespace
+
+bool is_in_its_place(const Window& window, const Discs& discs, std::size_t disc) {
+  const Discs& rock = window.bed.discs;
+  const auto made = static_cast<std::size_t>(place_in_bed(window, discs.id[disc]));
+  return std::hypot(discs.x[disc] - rock.x[made], discs.y[disc] - rock.y[made]) < 0.5 * discs.radius[disc];
+}
+
+double hold(Discs& discs, std::size_t disc) {
+  const double vx = discs.velocity_x[disc], vy = discs.velocity_y[disc], spin = discs.spin[disc];
+  for (std::vector<double>* zero :
+       {&discs.inverse_mass, &discs.inverse_inertia, &discs.velocity_x, &discs.velocity_y, &discs.spin}) {
+    (*zero)[disc] = 0.0;
+  }
+  return 0.5 * (discs.mass[disc] * (vx * vx + vy * vy) + discs.inertia[disc] * spin * spin);
+}
+
+void release(Discs& discs, std::size_t disc) {
+  set_mass(discs, disc, discs.mass[disc], discs.inertia[disc]);
+}
+
+Window open_window(World& world, const CutCase& cut, double tip_x) {
+  const auto or_all = [](double length) { return length > 0.0 ? length : std::numeric_limits<double>::infinity(); };
+  Window window{.bed = world,
+                .column = column_width(world.discs),
+                .ahead = or_all(cut.moving_ahead),
+                .behind = or_all(cut.moving_behind)};
+  const Discs& rock = window.bed.discs;
+  window.place_in_bed.resize(rock.id.size());
+  for (std::size_t i = 0; i < rock.id.size(); ++i)
+    window.place_in_bed[static_cast<std::size_t>(rock.id[i])] = static_cast<int>(i);
+  const std::vector<int>& higher = window.bed.joints.disc2;
+  window.joint_order.resize(higher.size());
+  std::iota(window.joint_order.begin(), window.joint_order.end(), std::size_t{0});
+  std::stable_sort(window.joint_order.begin(), window.joint_order.end(),
+                   [&higher](std::size_t a, std::size_t b) { return higher[a] < higher[b]; });
+  world.discs = {};
+  world.joints = {.elements = world.joints.elements,
+                  .residual_cohesion = world.joints.residual_cohesion,
+                  .drop_to_residual = world.joints.drop_to_residual};
+  world.contacts = {};
+  for (std::vector<double>* values : {&world.listed_x, &world.listed_y, &world.listed_margin}) values->clear();
+  for (Boundary& boundary : world.boundaries) boundary.near.clear();
+  window.low = window.high = -std::numeric_limits<double>::infinity();
+  advance_window(window, world, tip_x);
+  return window;
+}
+
+void advance_window(Window& window, World& world, double tip_x) {
+  const double high = whole_columns(window, tip_x + window.ahead) + columns_at_a_time * window.column;
+  const double low = whole_columns(window, tip_x - window.behind);
+  const bool all_is_there = window.entered_discs == window.bed.discs.x.size() && low <= 0.0;
+  if (all_is_there || high < window.high + columns_at_a_time * window.column) return;
+  window.high = high;
+  window.low = low;
+  remember_left_behind(window, world);
+  world.domain.x_low = std::max(world.domain.x_low, window.low);
+  world.lists_valid = false;
+  if (world.discs.count() > 0) refresh_neighbours(world);  // what is behind leaves before anything enters
+  let_in(window, world, high);
+  hold_ends(window, world);
+  prepare(world);
+}
+
+}  // namespace dem2d

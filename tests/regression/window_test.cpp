@@ -1,0 +1,180 @@
+// A cut through a bed of which only the neighbourhood of the cutter moves; the order of discs in memory; and the lists
+// of neighbours while everything flies apart.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "dem2d/cut/run_cut.hpp"
+#include "dem2d/specimen/bonded_world.hpp"
+#include "dem2d/specimen/order.hpp"
+#include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/step.hpp"
+
+namespace {
+
+/// 12 mm in a bed of 30 x 9 mm with grains of 0.8 mm: some 400 discs.
+dem2d::CutCase small_cut() {
+  dem2d::CutCase cut = dem2d::read_cut_case(std::string(BITROCK_SOURCE_DIR) + "/campaigns/cuts/example.toml");
+  cut.rock.radius_min = 0.32e-3;
+  cut.rock.radius_max = 0.48e-3;
+  cut.rock.installation_gap = 0.032e-3;
+  cut.cutter_speed = 2.0;
+  cut.depth_of_cut = 1.5e-3;
+  cut.cut_length = 12e-3;
+  cut.bed_length = 30e-3;
+  cut.bed_height = 9e-3;
+  dem2d::check_cut_case(cut, "small cut");
+  return cut;
+}
+
+const dem2d::Specimen& bed() {
+  static const dem2d::CutCase cut = small_cut();
+  static const dem2d::Specimen made = dem2d::make_specimen(cut.rock, cut.bed_length, cut.bed_height, 3, 1);
+  return made;
+}
+
+TEST(Window, LargerThanTheBedChangesNothing) {
+  dem2d::CutCase cut = small_cut();
+  const dem2d::CutRun whole = dem2d::run_cut(cut, bed());
+  cut.moving_ahead = cut.moving_behind = 100e-3;
+  const dem2d::CutRun windowed = dem2d::run_cut(cut, bed());
+  EXPECT_EQ(whole.force_x, windowed.force_x);
+  EXPECT_EQ(whole.force_y, windowed.force_y);
+  EXPECT_EQ(whole.cracks.size(), windowed.cracks.size());
+}
+
+TEST(Window, KeepsTheBooksAndEveryDisc) {
+  dem2d::CutCase cut = small_cut();
+  cut.moving_ahead = 8e-3;
+  cut.moving_behind = 3e-3;
+  const dem2d::CutRun run = dem2d::run_cut(cut, bed(), {.frames = 3});
+  EXPECT_LT(std::fabs(run.energy_residual_fraction), 2e-3);  // as a whole bed of this size and speed
+  EXPECT_GT(run.mean_force_x, 0.0);
+  EXPECT_EQ(run.discs, static_cast<int>(bed().x.size()));
+  for (const dem2d::Frame& frame : run.frames) {
+    const std::set<int> ids(frame.id.begin(), frame.id.end());
+    EXPECT_EQ(ids.size(), frame.id.size()) << "no disc twice";
+    EXPECT_LE(frame.id.size(), bed().x.size());
+    EXPECT_EQ(frame.x.size(), frame.fragment.size());
+  }
+  EXPECT_EQ(static_cast<int>(run.frames.back().id.size()) + run.removed_discs, run.discs);
+}
+
+TEST(Window, SameBitsForOneAndTwoThreads) {
+  dem2d::CutCase cut = small_cut();
+  cut.moving_ahead = 8e-3;
+  cut.moving_behind = 3e-3;
+  const auto one = dem2d::run_cut(cut, bed()), two = dem2d::run_cut(cut, bed(), {.threads = 2});
+  EXPECT_EQ(one.force_x, two.force_x);
+  EXPECT_EQ(one.energies.back().removed, two.energies.back().removed);
+}
+
+TEST(Window, RockFarAheadHasNotEnteredAndRockFarBehindHasLeft) {
+  dem2d::CutCase cut = small_cut();
+  cut.moving_ahead = 8e-3;
+  cut.moving_behind = 3e-3;
+  dem2d::World world = dem2d::make_cut_world(cut, bed());
+  const int all = world.discs.count();
+  dem2d::Window window = dem2d::open_window(world, cut, 0.0);
+  EXPECT_LT(world.discs.count(), all);
+  // five columns at most: up to one by rounding, four at a time
+  const double column = dem2d::column_width(world.discs);
+  const double most = 8e-3 + 5.0 * column;
+  for (const double x : world.discs.x) EXPECT_LE(x, most);
+  for (int mm = 1; mm <= 15; ++mm) dem2d::advance_window(window, world, mm * 1e-3);
+  const auto [low, high] = std::minmax_element(world.discs.x.begin(), world.discs.x.end());
+  // it moves on by four columns at a time, so it is up to that, and one by rounding, behind the tip's wish
+  EXPECT_GE(*low, 12e-3 - 5.0 * column);
+  EXPECT_LE(*low, 12e-3 + column);
+  EXPECT_GE(*high, 23e-3 - column);
+  // the outermost column of each end stands still, the rock between does not
+  for (std::size_t i = 0; i < world.discs.x.size(); ++i) {
+    const bool at_the_low_end = world.discs.x[i] < window.low + column;
+    if (at_the_low_end) {
+      EXPECT_EQ(world.discs.inverse_mass[i], 0.0);
+    }
+    const bool inside = world.discs.x[i] > window.low + column && world.discs.x[i] < window.high - column;
+    if (inside && world.discs.y[i] > column) {
+      EXPECT_GT(world.discs.inverse_mass[i], 0.0);
+    }
+  }
+}
+
+TEST(Order, InColumnsIsTheSameWorld) {
+  dem2d::World plain = dem2d::bonded_world(bed(), 1), ordered = plain;
+  dem2d::order_in_columns(ordered);
+  ASSERT_EQ(ordered.discs.count(), plain.discs.count());
+  for (dem2d::World* world : {&plain, &ordered}) {
+    world->domain = {-1.0, -1.0, 1.0, 1.0};
+    for (std::size_t i = 0; i < world->discs.x.size(); ++i) {
+      world->discs.velocity_x[i] = 0.1 * std::sin(world->discs.id[i]);
+      world->discs.spin[i] = 100.0 * std::cos(world->discs.id[i]);
+    }
+    dem2d::prepare(*world);
+    world->step = dem2d::critical_step(*world);
+    for (int step = 0; step < 50; ++step) dem2d::advance(*world);
+  }
+  const double moved = 50 * 0.1 * plain.step;  // [m]
+  for (std::size_t i = 0; i < ordered.discs.x.size(); ++i) {
+    const auto born = static_cast<std::size_t>(ordered.discs.id[i]);
+    EXPECT_NEAR(ordered.discs.x[i], plain.discs.x[born], 1e-9 * moved);
+    EXPECT_NEAR(ordered.discs.angle[i], plain.discs.angle[born], 1e-9);
+  }
+  EXPECT_TRUE(std::is_sorted(ordered.joints.disc1.begin(), ordered.joints.disc1.end()));
+  EXPECT_NE(ordered.discs.id, plain.discs.id);
+}
+
+/// Every pair that overlaps and is not joined, by looking at all pairs.
+std::set<std::pair<int, int>> overlapping_pairs(const dem2d::World& world) {
+  const dem2d::Discs& d = world.discs;
+  std::set<std::pair<int, int>> joined, found;
+  for (std::size_t k = 0; k < world.joints.disc1.size(); ++k) {
+    joined.insert(std::minmax(world.joints.disc1[k], world.joints.disc2[k]));
+  }
+  for (int i = 0; i < d.count(); ++i) {
+    for (int j = i + 1; j < d.count(); ++j) {
+      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      if (std::hypot(d.x[a] - d.x[b], d.y[a] - d.y[b]) < d.radius[a] + d.radius[b] && !joined.contains({i, j})) {
+        found.insert({i, j});
+      }
+    }
+  }
+  return found;
+}
+
+TEST(Neighbours, NoOverlapIsEverMissedWhileRockFliesApart) {
+  dem2d::World world = dem2d::bonded_world(bed(), 1);
+  dem2d::order_in_columns(world);
+  world.domain = {-5e-3, -5e-3, 35e-3, 14e-3};
+  // half of the joints are missing from the start, and all discs are thrown towards the middle, some of them fast
+  for (std::size_t k = 0; k < world.joints.bonded.size(); k += 2) {
+    world.joints.bonded[k] = 0;
+    for (std::size_t e = 0; e < 2; ++e) world.joints.state[2 * k + e] = dem2d::ElementState::never_bonded;
+  }
+  for (std::size_t i = 0; i < world.discs.x.size(); ++i) {
+    const double speed = i % 7 == 0 ? 60.0 : 5.0;
+    world.discs.velocity_x[i] = speed * (world.discs.x[i] < 15e-3 ? 1.0 : -1.0);
+    world.discs.velocity_y[i] = speed * std::sin(static_cast<double>(i));
+  }
+  dem2d::prepare(world);
+  world.step = 0.5 * dem2d::critical_step(world);
+  std::size_t seen = 0;
+  for (int step = 0; step < 1500; ++step) {
+    dem2d::advance(world);
+    if (step % 25 != 0) continue;
+    dem2d::refresh_neighbours(world);
+    std::set<std::pair<int, int>> listed;
+    for (std::size_t k = 0; k < world.contacts.disc1.size(); ++k) {
+      listed.insert({world.contacts.disc1[k], world.contacts.disc2[k]});
+    }
+    for (const auto& pair : overlapping_pairs(world)) {
+      ASSERT_TRUE(listed.contains(pair)) << pair.first << "-" << pair.second << " at step " << step;
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 100u);
+}
+
+}  // namespace

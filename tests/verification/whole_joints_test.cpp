@@ -1,0 +1,135 @@
+// The fast path of flat joints against the plain one, element by element; and all vector units against each other.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cmath>
+
+#include "base/random.hpp"
+#include "dem2d/step/energy.hpp"
+#include "dem2d/step/step.hpp"
+#include "tests/unit/small_worlds.hpp"
+
+namespace {
+
+constexpr double radius = small_worlds::radius;
+
+/// Pairs of touching discs far apart from each other, joined with a tensile strength of 10 MPa, 25 MPa cohesion and a
+/// friction angle: disc 2k and 2k + 1.
+dem2d::World pairs_of_discs(int count, int elements) {
+  dem2d::World world = small_worlds::empty();
+  world.joints.elements = elements;
+  dem2d::JointProperties properties = small_worlds::properties(10e6);
+  properties.cohesion = 25e6;
+  properties.friction_angle = 0.4;
+  for (int k = 0; k < count; ++k) {
+    const double small = 0.5 * radius * (1.0 + k % 2);
+    dem2d::add_disc(world.discs, 0.0, 8.0 * radius * k, radius, small_worlds::density);
+    dem2d::add_disc(world.discs, radius + small, 8.0 * radius * k, small, small_worlds::density);
+    dem2d::add_joint(world, 2 * k, 2 * k + 1, properties);
+  }
+  world.domain = {-1e3, -1e3, 1e3, 1e3};
+  world.step = 1e-7;
+  dem2d::prepare(world);
+  return world;
+}
+
+/// Moves every second disc to a place near its neighbour, turned and on its way.
+void throw_discs(dem2d::World& world, base::Random& random) {
+  dem2d::Discs& d = world.discs;
+  for (std::size_t k = 1; k < d.x.size(); k += 2) {
+    d.x[k] = radius + d.radius[k] + base::uniform(random, -20e-6, 15e-6);
+    d.y[k] = d.y[k - 1] + base::uniform(random, -10e-6, 10e-6);
+    d.angle[k] = base::uniform(random, -8e-3, 8e-3);
+    d.velocity_x[k] = base::uniform(random, -50.0, 50.0);
+    d.velocity_y[k] = base::uniform(random, -50.0, 50.0);
+    d.spin[k] = base::uniform(random, -1e4, 1e4);
+  }
+}
+
+TEST(WholeJoints, ClosedFormEqualsTheReferenceForRandomHistories) {
+  int whole = 0, damaged = 0;
+  for (const int elements : {1, 2, 3, 6}) {
+    dem2d::World fast = pairs_of_discs(803, elements), slow = fast;  // not a multiple of any number of lanes
+    slow.reference_path = true;
+    base::Random random(5), same(5);
+    for (int step = 0; step < 6; ++step) {
+      throw_discs(fast, random);
+      throw_discs(slow, same);
+      dem2d::joint_forces(fast);
+      dem2d::joint_forces(slow);
+      ASSERT_EQ(fast.joints.bonded, slow.joints.bonded) << "both must agree on what breaks";
+      const double force = small_worlds::modulus * 1e-5;  // size of the forces at hand [N/m]
+      for (std::size_t j = 0; j < fast.joints.disc1.size(); ++j) {
+        const dem2d::PairForce &a = fast.joint_forces[j], &b = slow.joint_forces[j];
+        ASSERT_NEAR(a.x, b.x, 1e-12 * force);
+        ASSERT_NEAR(a.y, b.y, 1e-12 * force);
+        ASSERT_NEAR(a.moment1, b.moment1, 1e-12 * force * radius);
+        ASSERT_NEAR(a.moment2, b.moment2, 1e-12 * force * radius);
+        const double energy = force * 1e-5;
+        ASSERT_NEAR(dem2d::joint_energy(fast, j), dem2d::joint_energy(slow, j), 1e-12 * energy);
+        (fast.joints.bonded[j] == elements ? whole : damaged) += 1;
+      }
+    }
+  }
+  EXPECT_GT(whole, 2000);
+  EXPECT_GT(damaged, 500);
+}
+
+TEST(WholeJoints, ABreakAtExactlyTheStrengthIsLeftToTheReference) {
+  for (const double share : {1.0, 1.0 - 1e-9}) {
+    dem2d::World world = pairs_of_discs(9, 2);
+    const double kn = world.joints.normal_stiffness[0];
+    world.discs.x[1] = world.joints.touching_distance[0] + 5e-6;
+    const double stress = kn * (world.discs.x[1] - world.joints.touching_distance[0]);
+    world.joints.tensile_strength[0] = stress * (share == 1.0 ? 1.0 - 1e-14 : 1.0 / share);  // just broken, just not
+    dem2d::joint_forces(world);
+    EXPECT_EQ(world.joints.bonded[0], share == 1.0 ? 0 : 2);
+  }
+}
+
+TEST(WholeJoints, AFalseAlarmLeavesTheJointWhole) {
+  dem2d::World world = pairs_of_discs(9, 2);
+  world.discs.x[1] = world.joints.touching_distance[0] + 5e-6;
+  const double stress = world.joints.normal_stiffness[0] * (world.discs.x[1] - world.joints.touching_distance[0]);
+  world.joints.tensile_strength[0] = stress * (1.0 + 1e-13);  // inside the margin of the closed form, not yet broken
+  world.discs.velocity_y[1] = 3.0;
+  dem2d::joint_forces(world);
+  EXPECT_EQ(world.joints.bonded[0], 2);
+  EXPECT_NEAR(world.joints.shear_stress[0], world.joints.shear_stiffness[0] * 3.0 * world.step,
+              1e-12 * world.joints.shear_stress[0]);
+  world.discs.x[1] -= 1e-6;
+  dem2d::joint_forces(world);
+  EXPECT_NEAR(world.joints.shear_stress[0], 2.0 * world.joints.shear_stiffness[0] * 3.0 * world.step,
+              1e-9 * world.joints.shear_stress[0])
+      << "the shear of the step on the reference path is kept";
+}
+
+TEST(VectorUnits, AllGiveTheSameBits) {
+  const std::int64_t all = hwy::SupportedTargets();
+  std::vector<dem2d::World> worlds;
+  for (int bit = 0; bit < 63; ++bit) {
+    const std::int64_t target = std::int64_t{1} << bit;
+    if ((all & target) == 0) continue;
+    hwy::SetSupportedTargetsForTest(target);
+    dem2d::World world = pairs_of_discs(803, 2);
+    world.local_damping = 0.1;
+    base::Random random(7);
+    throw_discs(world, random);
+    for (double& v : world.discs.velocity_x) v *= 1e-3;
+    for (double& v : world.discs.velocity_y) v *= 1e-3;
+    for (int step = 0; step < 200; ++step) dem2d::advance(world);
+    worlds.push_back(world);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  ASSERT_GE(worlds.size(), 1u);
+  for (const dem2d::World& world : worlds) {
+    EXPECT_EQ(world.discs.x, worlds[0].discs.x);
+    EXPECT_EQ(world.discs.y, worlds[0].discs.y);
+    EXPECT_EQ(world.discs.angle, worlds[0].discs.angle);
+    EXPECT_EQ(world.discs.spin, worlds[0].discs.spin);
+    EXPECT_EQ(world.joints.shear_stress, worlds[0].joints.shear_stress);
+    EXPECT_EQ(world.joints.bonded, worlds[0].joints.bonded);
+  }
+}
+
+}  // namespace
