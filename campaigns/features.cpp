@@ -12,6 +12,7 @@
 #include "base/statistics.hpp"
 #include "base/units.hpp"
 #include "campaigns/folder.hpp"
+#include "dem2d/cut/chips.hpp"
 
 namespace campaigns {
 
@@ -54,6 +55,7 @@ std::vector<Cell> cells(FeatureRow& row) {
   const std::vector<Cell> other{
       {"x_mean_N_per_m", &row.mean_force_x, as_it_is, any()},
       {"y_mean_N_per_m", &row.mean_force_y, as_it_is, any()},
+      {"chips", &row.chips, as_it_is, any_int},
       {"cracks_tensile", &row.cracks_tensile, as_it_is, any_int},
       {"cracks_shear", &row.cracks_shear, as_it_is, any_int},
       {"energy_residual_fraction", &row.energy_residual_fraction, as_it_is, any()},
@@ -106,6 +108,7 @@ FeatureRow row_of(const Job& job, const dem2d::CutRun& run) {
           .y = peaks::peak_statistics(run.force_y),
           .mean_force_x = run.mean_force_x,
           .mean_force_y = run.mean_force_y,
+          .chips = dem2d::count_chips(run.force_x),
           .cracks_tensile = run.cracks_tensile,
           .cracks_shear = run.cracks_shear,
           .energy_residual_fraction = run.energy_residual_fraction,

@@ -17,6 +17,7 @@ struct FeatureRow {
   double cut_length = 0.0, duration = 0.0;                         ///< [m], [s]
   peaks::PeakStatistics x, y;                                      ///< heights in N/m
   double mean_force_x = 0.0, mean_force_y = 0.0;                   ///< over the whole cut [N/m]
+  int chips = 0;                                                   ///< dem2d/cut/chips.hpp
   int cracks_tensile = 0, cracks_shear = 0;
   double energy_residual_fraction = 0.0;  ///< what the energy ledger cannot find, over the cutter's work [1]
   int discs = 0;

@@ -6,6 +6,7 @@
 #include "campaigns/folder.hpp"
 #include "campaigns/rocks.hpp"
 #include "campaigns/status.hpp"
+#include "dem2d/cut/window.hpp"
 #include "dem2d/specimen/genesis.hpp"
 
 namespace campaigns {
@@ -34,14 +35,14 @@ PlanPart& part_of(std::vector<PlanPart>& parts, const Job& job) {
                    .cut_length = job.cut.cut_length,
                    .bed_length = job.cut.bed_length,
                    .bed_height = job.cut.bed_height,
-                   .discs = dem2d::expected_discs(job.cut.rock, job.cut.bed_length, job.cut.bed_height)});
+                   .discs = dem2d::expected_discs(job.cut.rock, dem2d::moving_length(job.cut), job.cut.bed_height)});
   return parts.back();
 }
 
 }  // namespace
 
 double work(const Job& job) {
-  return job.cut.cut_length / job.cut.cutter_speed * job.cut.bed_length * job.cut.bed_height;
+  return job.cut.cut_length / job.cut.cutter_speed * dem2d::moving_length(job.cut) * job.cut.bed_height;
 }
 
 Plan plan(const Study& study, const std::filesystem::path& folder, double ns_per_disc_step) {

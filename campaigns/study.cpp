@@ -25,17 +25,26 @@ struct Size {
   const char* section;
   const char* key;
 };
-constexpr Size sizes[]{{"cut", "cut_length_mm"}, {"bed", "length_mm"}, {"bed", "height_mm"}};
+constexpr Size sizes[]{{"cut", "cut_length_mm"},
+                       {"bed", "length_mm"},
+                       {"bed", "height_mm"},
+                       {"bed", "moving_ahead_mm"},
+                       {"bed", "moving_behind_mm"}};
 
 base::Section describe(ByDepth& by_depth) {
   using base::at_least, base::positive;
-  return {"by_depth",
-          {{"cut_length_depths", &by_depth.cut_length_depths, 1.0, positive(), "travel of the cutter", true},
-           {"bed_height_depths", &by_depth.bed_height_depths, 1.0, at_least(3.0), "from bottom to surface", true},
-           {"bed_beyond_depths", &by_depth.bed_beyond_depths, 1.0, at_least(3.0), "rock past the end of the cut", true},
-           {"cut_length_least_mm", &by_depth.cut_length_least, mm, at_least(0.0), "however small the depth"},
-           {"bed_height_least_mm", &by_depth.bed_height_least, mm, at_least(0.0), "however small the depth"},
-           {"bed_beyond_least_mm", &by_depth.bed_beyond_least, mm, at_least(0.0), "however small the depth"}}};
+  return {
+      "by_depth",
+      {{"cut_length_depths", &by_depth.cut_length_depths, 1.0, positive(), "travel of the cutter", true},
+       {"bed_height_depths", &by_depth.bed_height_depths, 1.0, at_least(3.0), "from bottom to surface", true},
+       {"bed_beyond_depths", &by_depth.bed_beyond_depths, 1.0, at_least(3.0), "rock past the end of the cut", true},
+       {"moving_ahead_depths", &by_depth.moving_ahead_depths, 1.0, at_least(0.0), "rock that moves; 0: all of it"},
+       {"moving_behind_depths", &by_depth.moving_behind_depths, 1.0, at_least(0.0), "rock that moves; 0: all of it"},
+       {"cut_length_least_mm", &by_depth.cut_length_least, mm, at_least(0.0), "however small the depth"},
+       {"bed_height_least_mm", &by_depth.bed_height_least, mm, at_least(0.0), "however small the depth"},
+       {"bed_beyond_least_mm", &by_depth.bed_beyond_least, mm, at_least(0.0), "however small the depth"},
+       {"moving_ahead_least_mm", &by_depth.moving_ahead_least, mm, at_least(0.0), "however small the depth"},
+       {"moving_behind_least_mm", &by_depth.moving_behind_least, mm, at_least(0.0), "however small the depth"}}};
 }
 
 base::Section describe(Grid& grid) {
@@ -129,6 +138,11 @@ dem2d::CutCase sized(dem2d::CutCase cut, const ByDepth& by_depth) {
   cut.cut_length = std::max(by_depth.cut_length_depths * depth, by_depth.cut_length_least);
   cut.bed_height = std::max(by_depth.bed_height_depths * depth, by_depth.bed_height_least);
   cut.bed_length = cut.cut_length + std::max(by_depth.bed_beyond_depths * depth, by_depth.bed_beyond_least);
+  const auto moving = [depth](double depths, double least) {
+    return depths > 0.0 ? std::max(depths * depth, least) : 0.0;
+  };
+  cut.moving_ahead = moving(by_depth.moving_ahead_depths, by_depth.moving_ahead_least);
+  cut.moving_behind = moving(by_depth.moving_behind_depths, by_depth.moving_behind_least);
   return cut;
 }
 

@@ -26,7 +26,7 @@ struct Options {
 };
 
 // For the estimates of --check only.
-constexpr double typical_ns_per_disc_step = 85.0;  // measured on one core of a 2.6 GHz Xeon
+constexpr double typical_ns_per_disc_step = 26.0;  // measured on one core of a 2.6 GHz Xeon
 constexpr double typical_step = 0.5;               // of radius / wave speed: a disc between four neighbours of its size
 constexpr double load_after_expected = 1.3;        // a test goes on until the stress has fallen again
 constexpr int typical_coarse_evaluations = 5, typical_fine_evaluations = 3;

@@ -100,6 +100,12 @@ double whole_columns(const Window& window, double x) {
 
 }  // namespace
 
+double moving_length(const CutCase& cut) {
+  if (cut.moving_ahead == 0.0 || cut.moving_behind == 0.0) return cut.bed_length;
+  const double column = 2.0 * cut.rock.radius_max;  // the window moves on in steps, so it is longer now and then
+  return std::min(cut.bed_length, cut.moving_ahead + cut.moving_behind + 2.0 * columns_at_a_time * column);
+}
+
 bool is_in_its_place(const Window& window, const Discs& discs, std::size_t disc) {
   const Discs& rock = window.bed.discs;
   const auto made = static_cast<std::size_t>(place_in_bed(window, discs.id[disc]));

@@ -12,6 +12,9 @@
 
 namespace dem2d {
 
+/// How long the moving part of the bed of a cut is, at most [m].
+double moving_length(const CutCase& cut);
+
 struct Window {
   World bed;                             ///< all of the rock as it was made, its discs in columns
   std::vector<int> place_in_bed;         ///< of a disc, by its id

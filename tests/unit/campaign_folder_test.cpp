@@ -116,7 +116,7 @@ TEST_F(Folder, FeaturesTellWhatTheRunsTell) {
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,"
             "x_amax_N_per_m,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4,"
-            "x_mean_N_per_m,y_mean_N_per_m,cracks_tensile,cracks_shear,energy_residual_fraction,discs,step_s,core_s,"
+            "x_mean_N_per_m,y_mean_N_per_m,chips,cracks_tensile,cracks_shear,energy_residual_fraction,discs,step_s,core_s,"
             "hash");
   const base::CsvTable csv = base::read_csv(rows(text), false, {"hash"});
   EXPECT_EQ(csv.column("case"), (std::vector<double>{2.0, 3.0}));
