@@ -114,7 +114,7 @@ FeatureRow row_of(const Job& job, const dem2d::CutRun& run) {
           .energy_residual_fraction = run.energy_residual_fraction,
           .discs = run.discs,
           .step = run.step,
-          .core_time = run.wall_time,
+          .core_time = run.core_time,
           .hash = job_hash(job)};
 }
 

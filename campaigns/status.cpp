@@ -44,7 +44,7 @@ Survey look(const Study& study, const std::filesystem::path& folder) {
     const auto file = record ? std::nullopt : finished_run(folder, job);
     if (file || row != accepted.rows.end()) {
       ++status.done;
-      status.core_seconds += file ? file->run.wall_time : row->second.core_time;
+      status.core_seconds += file ? file->run.core_time : row->second.core_time;
       work_done += work(job);
       continue;
     }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <time.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -50,6 +52,13 @@ void hold_sides(World& world, const Specimen& bed, double tip_y) {
     const bool at_left = discs.x[i] < column && discs.y[i] < tip_y - 2.0 * column;
     if (at_left || discs.y[i] < column || discs.x[i] > bed.width - column) hold(world.discs, i);
   }
+}
+
+/// Time that this thread has spent on a core [s].
+double thread_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double mean(const std::vector<double>& values) {
@@ -107,6 +116,7 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step) {
 CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options,
                const base::ProgressCallback& progress) {
   const auto started = std::chrono::steady_clock::now();
+  const double thread_started = thread_time();
   World world = make_cut_world(cut, bed, options);
   const CutSchedule schedule = plan_steps(cut, world.step);
   world.step = schedule.step;
@@ -159,7 +169,8 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   run.removed_discs = world.removed_discs - (window ? window->left_behind.count() : 0);
   if (options.measure_energy) run.energy_residual_fraction = energy_residual_fraction({}, run.energies.back());
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  run.nanoseconds_per_disc_step = run.wall_time * 1e9 / disc_steps;
+  run.core_time = options.threads == 1 ? thread_time() - thread_started : run.wall_time * options.threads;
+  run.nanoseconds_per_disc_step = run.core_time / options.threads * 1e9 / disc_steps;
   return run;
 }
 

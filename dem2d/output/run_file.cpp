@@ -94,6 +94,7 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
   file.attribute("removed_discs", static_cast<long long>(run.removed_discs));
   if (!run.energies.empty()) file.attribute("energy_residual_fraction", run.energy_residual_fraction);
   file.attribute("wall_s", run.wall_time);
+  file.attribute("core_s", run.core_time);
   file.attribute("ns_per_disc_step", run.nanoseconds_per_disc_step);
 
   file.array("/force/time_s", run.time, "s", "end of the sampling interval");
@@ -165,6 +166,7 @@ RunFile read_run(const std::filesystem::path& path) {
   const bool measured = file.has_attribute("energy_residual_fraction");
   if (measured) run.energy_residual_fraction = file.number_attribute("energy_residual_fraction");
   run.wall_time = file.number_attribute("wall_s");
+  run.core_time = file.has_attribute("core_s") ? file.number_attribute("core_s") : run.wall_time;
   run.nanoseconds_per_disc_step = file.number_attribute("ns_per_disc_step");
   read_forces(file, run);
   run.cracks = read_cracks(file);

@@ -17,7 +17,7 @@ inline constexpr int physics_version = 3;
 /// A run file with this hash need not be computed again.
 std::string cut_hash(const CutCase& cut, std::uint64_t seed);
 
-/// The same run always gives the same bytes, but for the attributes wall_s and ns_per_disc_step.
+/// The same run always gives the same bytes, but for the attributes wall_s, core_s and ns_per_disc_step.
 void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const std::filesystem::path& path);
 
 /// What the rest of the thread needs of a run: force history, cracks, last frame, and the case it belongs to.
