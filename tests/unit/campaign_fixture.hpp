@@ -48,7 +48,7 @@ inline dem2d::CutRun made_up_run(const campaigns::Job& job) {
   run.mean_force_y = 2.0 * scale;
   run.energies = {dem2d::Energies{}};
   run.energy_residual_fraction = 1e-3 * scale;
-  run.wall_time = 10.0;
+  run.core_time = 10.0;
   run.nanoseconds_per_disc_step = 100.0;
   return run;
 }
