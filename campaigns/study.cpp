@@ -94,6 +94,12 @@ void read_by_depth(base::ConfigFile& file, Study& study) {
   }
   study.by_depth.emplace();
   file.fill(describe(*study.by_depth));
+  const auto refuse_lone = [&file](const char* key, double least, double depths) {
+    if (least > 0.0 && depths == 0.0)
+      file.refuse("by_depth", key, "it goes with the key in depths, which is not given");
+  };
+  refuse_lone("moving_ahead_least_mm", study.by_depth->moving_ahead_least, study.by_depth->moving_ahead_depths);
+  refuse_lone("moving_behind_least_mm", study.by_depth->moving_behind_least, study.by_depth->moving_behind_depths);
 }
 
 Table read_table(const std::filesystem::path& path) {

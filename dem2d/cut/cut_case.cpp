@@ -21,6 +21,11 @@ constexpr double depths_below = 2.0;
 // Lengths that are just allowed stay so when they are written in millimetres and read back.
 constexpr double rounding = 1.0 + 1e-12;
 
+// Of moving rock, where not all of it moves: so many depths, and the column of discs (two largest radii) that is held.
+// With less the cutter meets rock that is held; forces are right only from more than twice as much on
+// (docs/decisions/0009).
+constexpr double depths_moving_ahead = 3.0, depths_moving_behind = 1.0, columns_moving = 1.0;
+
 constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 }  // namespace
 
@@ -75,6 +80,22 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
   if (cut.sampling_distance * 3.0 > cut.cut_length) {
     refuse(fmt::format("run.sampling_distance_um = {:.4g} (at most a third of the cut: {:.4g})",
                        cut.sampling_distance / um, cut.cut_length / 3.0 / um));
+  }
+  const double column = 2.0 * cut.rock.radius_max;
+  const auto check_moving = [&](const char* key, double length, double depths) {
+    const double least = depths * cut.depth_of_cut + columns_moving * column;
+    if (length == 0.0 || length * rounding >= least) return;
+    refuse(
+        fmt::format("bed.{} = {:.4g} (0 for all of the rock, or at least {:.4g}: {:g} depths and {:g} largest grains)",
+                    key, length / mm, least / mm, depths, columns_moving));
+  };
+  check_moving("moving_ahead_mm", cut.moving_ahead, depths_moving_ahead);
+  check_moving("moving_behind_mm", cut.moving_behind, depths_moving_behind);
+  if ((cut.moving_ahead > 0.0 || cut.moving_behind > 0.0) && cut.sampling_distance > column) {
+    refuse(
+        fmt::format("run.sampling_distance_um = {:.4g} (at most {:.4g}, the largest grain, where only a part of the "
+                    "bed moves: that part moves on between samples)",
+                    cut.sampling_distance / um, column / um));
   }
   check_specimen_size(cut.rock, cut.bed_length, cut.bed_height, source + ": [bed]");
   if (cut.cut_length / cut.sampling_distance > most_samples) {

@@ -103,7 +103,7 @@ double whole_columns(const Window& window, double x) {
 double moving_length(const CutCase& cut) {
   if (cut.moving_ahead == 0.0 || cut.moving_behind == 0.0) return cut.bed_length;
   const double column = 2.0 * cut.rock.radius_max;  // the window moves on in steps, so it is longer now and then
-  return std::min(cut.bed_length, cut.moving_ahead + cut.moving_behind + 2.0 * columns_at_a_time * column);
+  return std::min(cut.bed_length, cut.moving_ahead + cut.moving_behind + (columns_at_a_time + 1.0) * column);
 }
 
 bool is_in_its_place(const Window& window, const Discs& discs, std::size_t disc) {
@@ -156,13 +156,17 @@ void advance_window(Window& window, World& world, double tip_x) {
   const double high = whole_columns(window, tip_x + window.ahead) + columns_at_a_time * window.column;
   const double low = whole_columns(window, tip_x - window.behind);
   const bool all_is_there = window.entered_discs == window.bed.discs.x.size() && low <= 0.0;
-  if (all_is_there || high < window.high + columns_at_a_time * window.column) return;
+  const double stride = columns_at_a_time * window.column;
+  const bool has_moved_on = std::isfinite(high) ? high >= window.high + stride : low >= window.low + stride;
+  if (all_is_there || (window.entered_discs > 0 && !has_moved_on)) return;
   window.high = high;
   window.low = low;
   remember_left_behind(window, world);
   world.domain.x_low = std::max(world.domain.x_low, window.low);
   world.lists_valid = false;
   if (world.discs.count() > 0) refresh_neighbours(world);  // what is behind leaves before anything enters
+  world.joint_forces.clear();                              // of the last step, in the numbers of then
+  world.contact_forces.clear();
   let_in(window, world, high);
   hold_ends(window, world);
   prepare(world);

@@ -1,4 +1,6 @@
 // The motion pass. Compiled once for each vector unit.
+#include "dem2d/step/vector_targets.hpp"  // before anything of Highway
+
 #include <algorithm>
 #include <limits>
 
@@ -9,7 +11,6 @@
 #define HWY_TARGET_INCLUDE "dem2d/step/integrate.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include "dem2d/step/vector_targets.hpp"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();

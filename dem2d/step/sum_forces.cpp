@@ -1,4 +1,6 @@
 // Each disc adds up what its contacts wrote. Compiled once for each vector unit: a slot is one load.
+#include "dem2d/step/vector_targets.hpp"  // before anything of Highway
+
 #include <algorithm>
 
 #include "dem2d/step/step.hpp"
@@ -8,7 +10,6 @@
 #define HWY_TARGET_INCLUDE "dem2d/step/sum_forces.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include "dem2d/step/vector_targets.hpp"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();

@@ -1,4 +1,6 @@
 // See whole_joints.hpp. This file is compiled once for each vector unit (Highway's foreach_target).
+#include "dem2d/step/vector_targets.hpp"  // before anything of Highway
+
 #include "dem2d/step/whole_joints.hpp"
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #define HWY_TARGET_INCLUDE "dem2d/step/whole_joints.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include "dem2d/step/vector_targets.hpp"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -20,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// register in play, so that every gather waits for what was computed there before.
 template <class D, class I>
 HWY_INLINE hn::Vec<D> gather(D d, const std::vector<double>& values, I index) {
-#if HWY_TARGET == HWY_AVX3
+#if HWY_TARGET <= HWY_AVX3
   if constexpr (hn::MaxLanes(D()) == 8) {
     return {_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xFF, index.raw, values.data(), 8)};
   }

@@ -1,6 +1,8 @@
 // Small whole cuts: the same bits for any number of threads and any repeat, and forces of the right kind.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "base/files.hpp"
 #include "dem2d/output/run_file.hpp"
 #include "dem2d/output/snapshot.hpp"
@@ -86,6 +88,33 @@ TEST(Cut, TheRockResistsAndPushesOutAndBreaks) {
   for (const dem2d::Crack& crack : run.cracks) {
     EXPECT_GE(crack.time, 0.0);
     EXPECT_LE(crack.time, run.duration);
+  }
+}
+
+TEST(Cut, TheBedIsHeldByItsOutermostColumnAndFreeAtItsSurfaceAndWhereTheCutterEnters) {
+  const auto cut = small_cut();
+  const auto bed = small_bed();
+  dem2d::World world = dem2d::make_cut_world(cut, bed);
+  const dem2d::Discs start = world.discs;
+  const double column = 2.0 * *std::max_element(bed.radius.begin(), bed.radius.end());
+  const double tip_y = bed.height - cut.depth_of_cut;
+  int held = 0, left = 0;
+  for (std::size_t i = 0; i < start.x.size(); ++i) {
+    const bool at_left = start.x[i] < column && start.y[i] < tip_y - 2.0 * column;
+    const bool outermost = at_left || start.y[i] < column || start.x[i] > bed.width - column;
+    EXPECT_EQ(start.inverse_mass[i] == 0.0, outermost) << start.x[i] << " " << start.y[i];
+    held += outermost ? 1 : 0;
+    left += at_left && start.y[i] > column ? 1 : 0;
+  }
+  EXPECT_GT(held, 30);
+  EXPECT_GT(left, 2);
+  world.boundaries[0].velocity_x = 20.0;
+  for (int step = 0; step < 200; ++step) dem2d::advance(world);
+  for (std::size_t i = 0; i < start.x.size(); ++i) {
+    if (start.inverse_mass[i] != 0.0) continue;
+    EXPECT_EQ(world.discs.x[i], start.x[i]);
+    EXPECT_EQ(world.discs.y[i], start.y[i]);
+    EXPECT_EQ(world.discs.angle[i], start.angle[i]);
   }
 }
 

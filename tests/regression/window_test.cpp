@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "dem2d/cut/run_cut.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/specimen/order.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
+#include "tests/unit/small_worlds.hpp"
 
 namespace {
 
@@ -102,6 +104,91 @@ TEST(Window, RockFarAheadHasNotEnteredAndRockFarBehindHasLeft) {
   }
 }
 
+TEST(Window, TheRockInItIsTheBedItWasTakenFrom) {
+  dem2d::CutCase cut = small_cut();
+  cut.moving_ahead = 8e-3;
+  cut.moving_behind = 3e-3;
+  dem2d::Specimen rock = bed();
+  rock.rock.slit_fraction = 0.2;  // some joints are not bonded
+  rock.rock.residual_cohesion = 1e6;
+  rock.rock.drop_to_residual = true;
+  dem2d::World world = dem2d::make_cut_world(cut, rock);
+  const dem2d::World whole = world;
+  dem2d::Window window = dem2d::open_window(world, cut, 0.0);
+  for (int mm = 0; mm <= 15; ++mm) {
+    dem2d::advance_window(window, world, mm * 1e-3);
+    const std::set<int> here(world.discs.id.begin(), world.discs.id.end());
+    for (std::size_t i = 0; i < whole.discs.x.size(); ++i) {
+      const bool inside = whole.discs.x[i] >= window.low && whole.discs.x[i] < window.high;
+      ASSERT_EQ(here.contains(whole.discs.id[i]), inside) << "tip at " << mm << " mm";
+    }
+    const dem2d::Frame frame = dem2d::take_frame(world, &window, 0.0);
+    EXPECT_EQ(std::set<int>(frame.id.begin(), frame.id.end()).size(), bed().x.size()) << "what left is remembered";
+    EXPECT_EQ(frame.id.size(), bed().x.size());
+    using Joint = std::tuple<int, int, double, double, double, double, int, dem2d::ElementState>;
+    const auto joints_of = [&here](const dem2d::World& w) {
+      std::set<Joint> all;
+      for (std::size_t k = 0; k < w.joints.disc1.size(); ++k) {
+        const int id1 = w.discs.id[static_cast<std::size_t>(w.joints.disc1[k])];
+        const int id2 = w.discs.id[static_cast<std::size_t>(w.joints.disc2[k])];
+        if (!here.contains(id1) || !here.contains(id2)) continue;
+        all.insert({id1, id2, w.joints.touching_distance[k], w.joints.radius_difference[k],
+                    w.joints.tensile_strength[k], w.joints.cohesion[k], w.joints.bonded[k], w.joints.state[2 * k + 1]});
+      }
+      return all;
+    };
+    EXPECT_EQ(joints_of(world), joints_of(whole)) << "tip at " << mm << " mm";
+    EXPECT_EQ(joints_of(world).size(), world.joints.disc1.size()) << "no joint twice";
+  }
+  EXPECT_EQ(world.joints.residual_cohesion, 1e6);
+  EXPECT_TRUE(world.joints.drop_to_residual);
+  world.boundaries[0].velocity_x = 0.0;
+  for (int step = 0; step < 20; ++step) dem2d::advance(world);
+  for (const double speed : world.discs.velocity_x) EXPECT_EQ(speed, 0.0) << "free of stress";
+}
+
+double kinetic_energy(const dem2d::Discs& d) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < d.x.size(); ++i) {
+    const double speed_squared = d.velocity_x[i] * d.velocity_x[i] + d.velocity_y[i] * d.velocity_y[i];
+    sum += 0.5 * (d.mass[i] * speed_squared + d.inertia[i] * d.spin[i] * d.spin[i]);
+  }
+  return sum;
+}
+
+TEST(Window, HoldsAtItsLowEndWhatIsStillInItsPlaceAndBooksWhatItTakes) {
+  dem2d::CutCase cut = small_cut();
+  cut.moving_ahead = 8e-3;
+  cut.moving_behind = 3e-3;
+  dem2d::World world = dem2d::make_cut_world(cut, bed());
+  dem2d::Window window = dem2d::open_window(world, cut, 0.0);
+  dem2d::Discs& d = world.discs;
+  for (std::size_t i = 0; i < d.x.size(); ++i) {
+    if (d.inverse_mass[i] == 0.0) continue;
+    // up, by less or more than the half radius that decides; nothing is joined or touches in this test
+    d.y[i] += (d.id[i] % 2 == 0 ? 0.45 : 0.55) * d.radius[i];
+    d.velocity_x[i] = 0.1 + 0.01 * d.id[i];
+    d.velocity_y[i] = -0.2;
+    d.spin[i] = 30.0;
+  }
+  world.joints = {.elements = world.joints.elements};
+  world.joint_forces.assign(1, {});
+  world.contacts = {};
+  world.boundaries.clear();
+  const double before = kinetic_energy(d), removed = world.energy.removed;
+  dem2d::advance_window(window, world, 10e-3);
+  int held = 0, free = 0;
+  const double column = dem2d::column_width(d);
+  for (std::size_t i = 0; i < d.x.size(); ++i) {
+    if (d.x[i] >= window.low + column || d.y[i] < 2.0 * column) continue;  // the bed holds its bottom besides
+    EXPECT_EQ(d.inverse_mass[i] == 0.0, d.id[i] % 2 == 0) << "disc " << d.id[i];
+    ++(d.inverse_mass[i] == 0.0 ? held : free);
+  }
+  EXPECT_GT(held, 1);
+  EXPECT_GT(free, 1);
+  EXPECT_NEAR(world.energy.removed - removed, before - kinetic_energy(d), 1e-12 * before);
+}
+
 TEST(Order, InColumnsIsTheSameWorld) {
   dem2d::World plain = dem2d::bonded_world(bed(), 1), ordered = plain;
   dem2d::order_in_columns(ordered);
@@ -124,6 +211,21 @@ TEST(Order, InColumnsIsTheSameWorld) {
   }
   EXPECT_TRUE(std::is_sorted(ordered.joints.disc1.begin(), ordered.joints.disc1.end()));
   EXPECT_NE(ordered.discs.id, plain.discs.id);
+}
+
+TEST(Order, AJointOfTurnedDiscsStaysFreeOfStress) {
+  dem2d::World world = small_worlds::empty();
+  dem2d::add_disc(world.discs, 3e-3, 0.5e-3, 2e-3, small_worlds::density);  // the second in a row along x
+  dem2d::add_disc(world.discs, 0.0, 0.0, 1e-3, small_worlds::density);
+  world.discs.angle = {0.3, -0.2};
+  dem2d::add_joint(world, 0, 1, small_worlds::properties());
+  dem2d::order_in_columns(world);
+  ASSERT_EQ(world.discs.id, (std::vector<int>{1, 0}));
+  dem2d::prepare(world);
+  world.step = 1e-9;
+  dem2d::find_forces(world);
+  EXPECT_EQ(world.discs.force_x, (std::vector<double>{0.0, 0.0}));
+  EXPECT_EQ(world.discs.moment, (std::vector<double>{0.0, 0.0}));
 }
 
 /// Every pair that overlaps and is not joined, by looking at all pairs.

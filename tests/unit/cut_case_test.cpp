@@ -59,6 +59,34 @@ TEST(CutCase, ASpeedThatMovesMoreThanAHundredthOfAGrainInAStepIsRefused) {
   EXPECT_EQ(dem2d::plan_steps(cut, 0.5e-6).steps_per_sample, 4);
 }
 
+TEST(CutCase, TheMovingRockReachesFarEnoughAndMovesOnOftenEnough) {
+  dem2d::CutCase cut = small_cut();  // grains of up to 1.5 mm
+  cut.depth_of_cut = 2e-3;
+  const auto refused = [](const dem2d::CutCase& c, const std::string& key) {
+    try {
+      dem2d::check_cut_case(c, "case");
+      return false;
+    } catch (const base::InputError& error) {
+      return std::string(error.what()).find(key) != std::string::npos;
+    }
+  };
+  const double column = 2.0 * cut.rock.radius_max;
+  cut.moving_ahead = 3.0 * cut.depth_of_cut + column;
+  cut.moving_behind = cut.depth_of_cut + column;
+  EXPECT_NO_THROW(dem2d::check_cut_case(cut, "case"));
+  dem2d::CutCase wrong = cut;
+  wrong.moving_ahead *= 0.99;
+  EXPECT_TRUE(refused(wrong, "bed.moving_ahead_mm"));
+  wrong = cut;
+  wrong.moving_behind *= 0.99;
+  EXPECT_TRUE(refused(wrong, "bed.moving_behind_mm"));
+  wrong = cut;
+  wrong.sampling_distance = 1.01 * column;
+  EXPECT_TRUE(refused(wrong, "run.sampling_distance_um"));
+  wrong.moving_ahead = wrong.moving_behind = 0.0;
+  EXPECT_NO_THROW(dem2d::check_cut_case(wrong, "case"));
+}
+
 TEST(CutCase, TheCutterBeginsOutsideTheRockWhateverItsLeanAndDepth) {
   // The face passes a micrometre before the upper left corner of the bed. Above the surface it leans over the rock;
   // a disc that the packing has pushed through the surface by some micrometres lies under it without force.

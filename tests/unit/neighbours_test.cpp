@@ -83,6 +83,68 @@ TEST(Neighbours, AJointEndsOnlyWhenBrokenAndFarApart) {
   EXPECT_EQ(world.energy.injected, 0.0);
 }
 
+TEST(Neighbours, ADiscThatComesBackToABoundaryIsAStranger) {
+  dem2d::World world = small_worlds::disc_above_floor(-1e-6);  // 1 um inside the floor, and forgiven
+  dem2d::forgive_overlaps(world.boundaries[0], world.discs);
+  dem2d::prepare(world);
+  world.boundaries[0].spring[0] = 3.0;
+  dem2d::find_forces(world);
+  EXPECT_EQ(world.discs.force_y[0], 0.0);
+  const double there = world.discs.y[0];
+  for (const double y : {there + 5.0 * small_worlds::radius, there}) {
+    world.discs.y[0] = y;
+    world.lists_valid = false;
+    dem2d::refresh_neighbours(world);
+  }
+  EXPECT_EQ(world.boundaries[0].spring[0], 0.0);
+  dem2d::find_forces(world);
+  const double expected = 2.0 * small_worlds::modulus * 1e-6;  // kn = 2 E* against a wall
+  EXPECT_NEAR(world.discs.force_y[0], expected, 1e-9 * expected);
+}
+
+TEST(Neighbours, HistoriesFollowTheirDiscsWhenOthersLeave) {
+  dem2d::World world = small_worlds::disc_above_floor(-1e-6);
+  for (const double x : {4.0, 5.9}) {  // the second and third overlap, and lie on the floor
+    dem2d::add_disc(world.discs, x * small_worlds::radius, small_worlds::radius - 1e-6, small_worlds::radius, 2500.0);
+  }
+  dem2d::prepare(world);
+  ASSERT_EQ(world.contacts.count(), 1);
+  world.boundaries[0].spring = {3.0, 5.0, 7.0};
+  world.boundaries[0].reference_overlap = {1e-8, 2e-8, 3e-8};
+  world.contacts.spring = {9.0};
+  world.contacts.touching = {1};
+  world.discs.y[0] = world.domain.y_high + 1.0;
+  world.lists_valid = false;
+  dem2d::refresh_neighbours(world);
+  ASSERT_EQ(world.discs.id, (std::vector<int>{1, 2}));
+  EXPECT_EQ(world.boundaries[0].near, (std::vector<int>{0, 1}));
+  EXPECT_EQ(world.boundaries[0].spring, (std::vector<double>{5.0, 7.0}));
+  EXPECT_EQ(world.boundaries[0].reference_overlap, (std::vector<double>{2e-8, 3e-8}));
+  ASSERT_EQ(world.contacts.count(), 1);
+  EXPECT_EQ(world.contacts.disc1[0], 0);
+  EXPECT_EQ(world.contacts.spring[0], 9.0);
+  EXPECT_EQ(world.contacts.touching[0], 1);
+}
+
+TEST(Neighbours, AFlagOfTouchStaysWithItsPairWhenAnotherLeaves) {
+  dem2d::World world = small_worlds::empty();
+  for (const double x : {0.0, 2.1, 10.0, 11.9}) {  // the first pair is listed but apart, the second overlaps
+    dem2d::add_disc(world.discs, x * small_worlds::radius, 0.0, small_worlds::radius, 2500.0);
+  }
+  dem2d::prepare(world);
+  world.step = 1e-9;
+  dem2d::find_forces(world);
+  ASSERT_EQ(world.contacts.touching, (std::vector<char>{0, 1}));
+  world.discs.y[0] = world.domain.y_high + 1.0;
+  world.discs.x[3] += 0.2 * small_worlds::radius;  // and now they part: their force must end
+  world.lists_valid = false;
+  dem2d::refresh_neighbours(world);
+  ASSERT_EQ(world.contacts.touching, (std::vector<char>{1}));
+  dem2d::find_forces(world);
+  EXPECT_EQ(world.contacts.touching, (std::vector<char>{0}));
+  EXPECT_EQ(world.discs.force_x, (std::vector<double>{0.0, 0.0, 0.0}));
+}
+
 TEST(Neighbours, NotANumberIsReportedWithItsDisc) {
   dem2d::World world = small_worlds::chain(2);
   dem2d::prepare(world);

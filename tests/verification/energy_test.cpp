@@ -1,6 +1,7 @@
 // The energy ledger: it closes, each entry is the number it should be, and looking changes nothing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -225,6 +226,32 @@ TEST(Energy, ADiscThatLeavesAJointTakesItsEnergyAlong) {
   }
   EXPECT_LT(mean[0], 0.01);
   EXPECT_LT(mean[1], mean[0] / 2.5);
+}
+
+TEST(Energy, AJointThatEndsBooksItsLastHalfStepAlsoWhenAnotherDiscIsLost) {
+  // Two joined pairs: the first loses a disc; the second is broken, pressed and has slid past its end, at the same
+  // instant. As kn 2R = E = kn of the contact that takes over, both hold the same energy, and what is left is half a
+  // step's work of the joint's last force, E u on each disc, which part with 3 m/s.
+  dem2d::World world = small_worlds::empty();
+  for (const double x : {0.0, 2.0, 8.0, 10.0}) dem2d::add_disc(world.discs, x * radius, 0.0, radius, 2500.0);
+  dem2d::add_joint(world, 0, 1, small_worlds::properties());
+  dem2d::add_joint(world, 2, 3, small_worlds::properties());
+  start(world, 1.0);
+  world.step = 1e-8;
+  const double overlap = 2e-6;
+  world.discs.x[1] -= 3.0 * overlap;  // another force in the first pair
+  world.discs.x[3] -= overlap;
+  world.discs.velocity_x = {0.0, 0.0, -1.0, 2.0};
+  world.joints.bonded[1] = 0;
+  std::fill_n(&world.joints.state[4], 4, dem2d::ElementState::broken_in_tension);
+  dem2d::find_forces(world);
+  world.joints.shear_displacement[1] = 2.1 * radius;
+  world.discs.y[0] = world.domain.y_high + 1.0;
+  world.lists_valid = false;
+  dem2d::refresh_neighbours(world);
+  ASSERT_EQ(world.joints.count(), 0);
+  const double half_step = 0.5 * world.step * modulus * overlap * 3.0;
+  EXPECT_NEAR(world.energy.injected, -half_step, 1e-6 * half_step);
 }
 
 /// What the scheme swallows when a spring closes, averaged over where in the step it closes.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.hpp"
+#include "dem2d/cut/run_cut.hpp"
 #include "dem2d/step/energy.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
@@ -104,6 +105,19 @@ TEST(WholeJoints, AFalseAlarmLeavesTheJointWhole) {
       << "the shear of the step on the reference path is kept";
 }
 
+TEST(WholeJoints, ADamagedJointAddsUpItsSlidingFromWhenItWasWhole) {
+  dem2d::World world = pairs_of_discs(9, 2);
+  world.discs.velocity_y[1] = 3.0;
+  for (int step = 0; step < 5; ++step) dem2d::joint_forces(world);
+  ASSERT_EQ(world.joints.bonded[0], 2);
+  world.joints.tensile_strength[0] = 0.0;
+  dem2d::joint_forces(world);
+  ASSERT_EQ(world.joints.bonded[0], 0);
+  EXPECT_NEAR(world.joints.shear_displacement[0], 6.0 * 3.0 * world.step, 1e-12 * world.step);
+  for (int step = 0; step < 4; ++step) dem2d::joint_forces(world);
+  EXPECT_NEAR(world.joints.shear_displacement[0], 10.0 * 3.0 * world.step, 1e-12 * world.step) << "and slides on";
+}
+
 TEST(VectorUnits, AllGiveTheSameBits) {
   const std::int64_t all = hwy::SupportedTargets();
   std::vector<dem2d::World> worlds;
@@ -129,6 +143,46 @@ TEST(VectorUnits, AllGiveTheSameBits) {
     EXPECT_EQ(world.discs.spin, worlds[0].discs.spin);
     EXPECT_EQ(world.joints.shear_stress, worlds[0].joints.shear_stress);
     EXPECT_EQ(world.joints.bonded, worlds[0].joints.bonded);
+  }
+}
+
+/// 2 mm at 10 m/s through 16 x 8 mm of grains of 0.8 mm, of which a moving window is in motion.
+dem2d::CutCase fast_cut() {
+  dem2d::CutCase cut = dem2d::read_cut_case(std::string(BITROCK_SOURCE_DIR) + "/campaigns/cuts/example.toml");
+  cut.rock.radius_min = 0.32e-3;
+  cut.rock.radius_max = 0.48e-3;
+  cut.rock.installation_gap = 0.032e-3;
+  cut.cutter_speed = 10.0;
+  cut.depth_of_cut = 1.5e-3;
+  cut.cut_length = 2e-3;
+  cut.bed_length = 16e-3;
+  cut.bed_height = 8e-3;
+  cut.moving_ahead = 8e-3;
+  cut.moving_behind = 3e-3;
+  dem2d::check_cut_case(cut, "fast cut");
+  return cut;
+}
+
+TEST(VectorUnits, AllGiveTheSameBitsOfAWholeCut) {
+  const dem2d::CutCase cut = fast_cut();
+  const dem2d::Specimen bed = dem2d::make_specimen(cut.rock, cut.bed_length, cut.bed_height, 3, 1);
+  const std::int64_t all = hwy::SupportedTargets();
+  std::vector<dem2d::CutRun> runs;
+  for (int bit = 0; bit < 63; ++bit) {
+    const std::int64_t target = std::int64_t{1} << bit;
+    if ((all & target) == 0) continue;
+    hwy::SetSupportedTargetsForTest(target);
+    runs.push_back(dem2d::run_cut(cut, bed, {.threads = 1 + bit % 2, .measure_energy = bit % 3 == 0}));
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  ASSERT_GE(runs.size(), 1u);
+  EXPECT_GT(runs[0].cracks.size(), 20u);
+  for (const dem2d::CutRun& run : runs) {
+    EXPECT_EQ(run.force_x, runs[0].force_x);
+    EXPECT_EQ(run.force_y, runs[0].force_y);
+    EXPECT_EQ(run.frames.back().id, runs[0].frames.back().id);
+    EXPECT_EQ(run.frames.back().x, runs[0].frames.back().x);
+    EXPECT_EQ(run.cracks.size(), runs[0].cracks.size());
   }
 }
 
