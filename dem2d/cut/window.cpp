@@ -7,6 +7,7 @@
 
 #include "dem2d/specimen/order.hpp"
 #include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/removal.hpp"
 #include "dem2d/step/step.hpp"
 
 namespace dem2d {
@@ -69,11 +70,18 @@ void let_in(Window& window, World& world, double high) {
   }
 }
 
-/// Discs that will be left behind, as they are now.
-void remember_left_behind(Window& window, const World& world) {
-  for (std::size_t i = 0; i < world.discs.x.size(); ++i) {
-    if (world.discs.x[i] < window.low) append_disc(window.left_behind, world.discs, i);
+/// What is behind the new low end leaves and is remembered. What lies loose at the old high end or beyond leaves, too:
+/// there was no rock to stop it, and rock that enters would be laid over it.
+void let_go(Window& window, World& world, double old_high) {
+  const Discs& discs = world.discs;
+  std::vector<char> stays(discs.x.size(), 1);
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    const bool is_behind = discs.x[i] < window.low;
+    const bool is_loose_ahead = discs.x[i] > old_high - window.column && !is_in_its_place(window, discs, i);
+    if (is_behind) append_disc(window.left_behind, discs, i);
+    if (is_behind || is_loose_ahead) stays[i] = 0;
   }
+  remove_discs(world, stays);
 }
 
 /// Holds the outermost columns as far as their discs are where they were made, and the discs that the bed holds; lets
@@ -159,13 +167,12 @@ void advance_window(Window& window, World& world, double tip_x) {
   const double stride = columns_at_a_time * window.column;
   const bool has_moved_on = std::isfinite(high) ? high >= window.high + stride : low >= window.low + stride;
   if (all_is_there || (window.entered_discs > 0 && !has_moved_on)) return;
+  const double old_high = window.high;
   window.high = high;
   window.low = low;
-  remember_left_behind(window, world);
+  if (window.entered_discs > 0) let_go(window, world, old_high);
   world.domain.x_low = std::max(world.domain.x_low, window.low);
-  world.lists_valid = false;
-  if (world.discs.count() > 0) refresh_neighbours(world);  // what is behind leaves before anything enters
-  world.joint_forces.clear();                              // of the last step, in the numbers of then
+  world.joint_forces.clear();  // of the last step, in the numbers of then
   world.contact_forces.clear();
   let_in(window, world, high);
   hold_ends(window, world);

@@ -81,17 +81,24 @@ std::vector<int> end_finished_joints(World& world) {
 }
 
 bool remove_lost_discs(World& world) {
-  Discs& discs = world.discs;
+  const Discs& discs = world.discs;
   const Domain& box = world.domain;
   std::vector<char> stays(discs.x.size(), 1);
-  std::vector<int> renumbered(discs.x.size(), -1);
-  int kept = 0;
   for (std::size_t i = 0; i < stays.size(); ++i) {
     // NaN counts as staying, so that require_finite reports it instead of a disc silently vanishing.
     const bool lost =
         discs.x[i] < box.x_low || discs.x[i] > box.x_high || discs.y[i] < box.y_low || discs.y[i] > box.y_high;
     stays[i] = lost ? 0 : 1;
-    if (!lost) renumbered[i] = kept++;
+  }
+  return remove_discs(world, stays);
+}
+
+bool remove_discs(World& world, const std::vector<char>& stays) {
+  Discs& discs = world.discs;
+  std::vector<int> renumbered(discs.x.size(), -1);
+  int kept = 0;
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    if (stays[i] != 0) renumbered[i] = kept++;
   }
   if (kept == discs.count()) return false;
   world.removed_discs += discs.count() - kept;

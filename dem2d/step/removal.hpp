@@ -15,6 +15,9 @@ namespace dem2d {
 /// whether there were any.
 bool remove_lost_discs(World& world);
 
+/// The same for the discs whose flag is not set.
+bool remove_discs(World& world, const std::vector<char>& stays);
+
 /// Ends the joints that are over and adds up the energy this injects. Returns the discs they joined.
 std::vector<int> end_finished_joints(World& world);
 

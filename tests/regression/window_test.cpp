@@ -189,6 +189,24 @@ TEST(Window, HoldsAtItsLowEndWhatIsStillInItsPlaceAndBooksWhatItTakes) {
   EXPECT_NEAR(world.energy.removed - removed, before - kinetic_energy(d), 1e-12 * before);
 }
 
+TEST(Window, AGrainThatFlewAheadIsNotOverlaidByRockThatEnters) {
+  dem2d::CutCase cut = small_cut();
+  cut.moving_ahead = 8e-3;
+  cut.moving_behind = 3e-3;
+  dem2d::World world = dem2d::make_cut_world(cut, bed());
+  dem2d::Window window = dem2d::open_window(world, cut, 0.0);
+  const auto stray =
+      static_cast<std::size_t>(std::max_element(world.discs.y.begin(), world.discs.y.end()) - world.discs.y.begin());
+  const int id = world.discs.id[stray];
+  world.discs.x[stray] = window.high + 0.3e-3;  // below the surface of the rock that is to come
+  world.discs.y[stray] = 4e-3;
+  const int before = world.removed_discs;
+  dem2d::advance_window(window, world, 6e-3);
+  EXPECT_GT(world.discs.count(), 0);
+  EXPECT_EQ(std::count(world.discs.id.begin(), world.discs.id.end(), id), 0);
+  EXPECT_EQ(world.removed_discs - before, window.left_behind.count() + 1);
+}
+
 TEST(Order, InColumnsIsTheSameWorld) {
   dem2d::World plain = dem2d::bonded_world(bed(), 1), ordered = plain;
   dem2d::order_in_columns(ordered);
