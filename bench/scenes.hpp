@@ -52,11 +52,11 @@ inline dem2d::World trembling_slab(const dem2d::Specimen& specimen, int threads,
   return world;
 }
 
-/// The slab under a cutter, 2 m/s and a fifth of its height deep, after two depths of travel: broken rock, loose chips.
+/// The slab under a cutter, 2 m/s and 2 mm deep, after two depths of travel: broken rock, loose chips.
 inline dem2d::World slab_being_cut(const dem2d::Specimen& specimen, int threads) {
   dem2d::CutCase cut{.rock = specimen.rock,
                      .cutter_speed = 2.0,
-                     .depth_of_cut = 0.2 * specimen.height,
+                     .depth_of_cut = 2e-3,
                      .back_rake = 0.26,  // 15 degrees
                      .bed_length = specimen.width,
                      .bed_height = specimen.height};
