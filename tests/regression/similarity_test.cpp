@@ -14,6 +14,7 @@
 #include "dem2d/cut/window.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
+#include "tests/small_cuts.hpp"
 
 namespace {
 
@@ -21,11 +22,7 @@ constexpr double start_gap = 1e-6;  ///< as in run_cut.cpp [m]
 
 /// 8 mm, 1.2 mm deep in a bed of 24 x 7 mm with grains of 0.8 mm, some 250 discs, of which a window moves.
 dem2d::CutCase small_cut() {
-  dem2d::CutCase cut = dem2d::read_cut_case(std::string(BITROCK_SOURCE_DIR) + "/campaigns/cuts/example.toml");
-  cut.rock.radius_min = 0.32e-3;
-  cut.rock.radius_max = 0.48e-3;
-  cut.rock.installation_gap = 0.032e-3;
-  cut.cutter_speed = 2.0;
+  dem2d::CutCase cut = small_cuts::fine_grained();
   cut.depth_of_cut = 1.2e-3;
   cut.cut_length = 8e-3;
   cut.bed_length = 24e-3;

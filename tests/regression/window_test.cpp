@@ -12,17 +12,14 @@
 #include "dem2d/specimen/order.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
+#include "tests/small_cuts.hpp"
 #include "tests/unit/small_worlds.hpp"
 
 namespace {
 
 /// 12 mm in a bed of 30 x 9 mm with grains of 0.8 mm: some 400 discs.
 dem2d::CutCase small_cut() {
-  dem2d::CutCase cut = dem2d::read_cut_case(std::string(BITROCK_SOURCE_DIR) + "/campaigns/cuts/example.toml");
-  cut.rock.radius_min = 0.32e-3;
-  cut.rock.radius_max = 0.48e-3;
-  cut.rock.installation_gap = 0.032e-3;
-  cut.cutter_speed = 2.0;
+  dem2d::CutCase cut = small_cuts::fine_grained();
   cut.depth_of_cut = 1.5e-3;
   cut.cut_length = 12e-3;
   cut.bed_length = 30e-3;

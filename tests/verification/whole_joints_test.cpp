@@ -8,6 +8,7 @@
 #include "dem2d/cut/run_cut.hpp"
 #include "dem2d/step/energy.hpp"
 #include "dem2d/step/step.hpp"
+#include "tests/small_cuts.hpp"
 #include "tests/unit/small_worlds.hpp"
 
 namespace {
@@ -148,10 +149,7 @@ TEST(VectorUnits, AllGiveTheSameBits) {
 
 /// 2 mm at 10 m/s through 16 x 8 mm of grains of 0.8 mm, of which a moving window is in motion.
 dem2d::CutCase fast_cut() {
-  dem2d::CutCase cut = dem2d::read_cut_case(std::string(BITROCK_SOURCE_DIR) + "/campaigns/cuts/example.toml");
-  cut.rock.radius_min = 0.32e-3;
-  cut.rock.radius_max = 0.48e-3;
-  cut.rock.installation_gap = 0.032e-3;
+  dem2d::CutCase cut = small_cuts::fine_grained();
   cut.cutter_speed = 10.0;
   cut.depth_of_cut = 1.5e-3;
   cut.cut_length = 2e-3;
