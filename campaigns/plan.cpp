@@ -42,7 +42,8 @@ PlanPart& part_of(std::vector<PlanPart>& parts, const Job& job) {
 }  // namespace
 
 double work(const Job& job) {
-  return job.cut.cut_length / job.cut.cutter_speed * dem2d::moving_length(job.cut) * job.cut.bed_height;
+  return (job.cut.run_in + job.cut.cut_length) / job.cut.cutter_speed * dem2d::moving_length(job.cut) *
+         job.cut.bed_height;
 }
 
 Plan plan(const Study& study, const std::filesystem::path& folder, double ns_per_disc_step) {
@@ -64,7 +65,7 @@ Plan plan(const Study& study, const std::filesystem::path& folder, double ns_per
   const double critical_step = critical_step_of_sample(study);
   for (const Job& job : missing) {
     const dem2d::CutSchedule schedule = dem2d::plan_steps(job.cut, critical_step);
-    const double steps = static_cast<double>(schedule.samples) * schedule.steps_per_sample;
+    const double steps = static_cast<double>(schedule.steps());
     PlanPart& part = part_of(plan.parts, job);
     ++part.jobs;
     part.steps += steps;

@@ -25,11 +25,8 @@ struct Size {
   const char* section;
   const char* key;
 };
-constexpr Size sizes[]{{"cut", "cut_length_mm"},
-                       {"bed", "length_mm"},
-                       {"bed", "height_mm"},
-                       {"bed", "moving_ahead_mm"},
-                       {"bed", "moving_behind_mm"}};
+constexpr Size sizes[]{{"cut", "run_in_mm"}, {"cut", "cut_length_mm"},   {"bed", "length_mm"},
+                       {"bed", "height_mm"}, {"bed", "moving_ahead_mm"}, {"bed", "moving_behind_mm"}};
 
 base::Section describe(ByDepth& by_depth) {
   using base::at_least, base::positive;
@@ -38,6 +35,7 @@ base::Section describe(ByDepth& by_depth) {
       {{"cut_length_depths", &by_depth.cut_length_depths, 1.0, positive(), "travel of the cutter", true},
        {"bed_height_depths", &by_depth.bed_height_depths, 1.0, at_least(3.0), "from bottom to surface", true},
        {"bed_beyond_depths", &by_depth.bed_beyond_depths, 1.0, at_least(3.0), "rock past the end of the cut", true},
+       {"run_in_depths", &by_depth.run_in_depths, 1.0, at_least(0.0), "travel before forces count"},
        {"moving_ahead_depths", &by_depth.moving_ahead_depths, 1.0, at_least(0.0), "rock that moves; 0: all of it"},
        {"moving_behind_depths", &by_depth.moving_behind_depths, 1.0, at_least(0.0), "rock that moves; 0: all of it"},
        {"cut_length_least_mm", &by_depth.cut_length_least, mm, at_least(0.0), "however small the depth"},
@@ -66,7 +64,8 @@ base::Section describe(Table& table) {
 std::vector<base::Section> describe_common(Study& study) {
   std::vector<base::Section> sections = dem2d::describe(study.common);
   const auto cut = std::find_if(sections.begin(), sections.end(), [](const auto& s) { return s.name == "cut"; });
-  std::erase_if(cut->fields, [](const base::Field& field) { return field.name != "cut_length_mm"; });
+  std::erase_if(cut->fields,
+                [](const base::Field& field) { return field.name != "cut_length_mm" && field.name != "run_in_mm"; });
   sections.front().fields.push_back(
       {"seeds", &study.seeds, 1.0, base::between(0, 2147483647), "one rock each; every case is cut in every rock"});
   return sections;
@@ -143,7 +142,9 @@ dem2d::CutCase sized(dem2d::CutCase cut, const ByDepth& by_depth) {
   const double depth = cut.depth_of_cut;
   cut.cut_length = std::max(by_depth.cut_length_depths * depth, by_depth.cut_length_least);
   cut.bed_height = std::max(by_depth.bed_height_depths * depth, by_depth.bed_height_least);
-  cut.bed_length = cut.cut_length + std::max(by_depth.bed_beyond_depths * depth, by_depth.bed_beyond_least);
+  cut.run_in = by_depth.run_in_depths * depth;
+  cut.bed_length =
+      cut.run_in + cut.cut_length + std::max(by_depth.bed_beyond_depths * depth, by_depth.bed_beyond_least);
   const auto moving = [depth](double depths, double least) {
     return depths > 0.0 ? std::max(depths * depth, least) : 0.0;
   };

@@ -31,7 +31,8 @@ struct Table {
 
 /// Sizes in depths of cut, each with the least it may be.
 struct ByDepth {
-  double cut_length_depths = 0.0;                                ///< travel of the cutter [1]
+  double run_in_depths = 0.0;                                    ///< travel before forces count [1]
+  double cut_length_depths = 0.0;                                ///< travel of the cutter after that [1]
   double bed_height_depths = 0.0;                                ///< [1]
   double bed_beyond_depths = 0.0;                                ///< rock past the end of the cut [1]
   double moving_ahead_depths = 0.0, moving_behind_depths = 0.0;  ///< of the tip; 0: all of the rock [1]

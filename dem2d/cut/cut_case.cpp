@@ -43,7 +43,8 @@ std::vector<base::Section> describe(CutCase& cut) {
          true},
         {"depth_of_cut_mm", &cut.depth_of_cut, mm, positive(), "surface above the tip", true},
         {"back_rake_deg", &cut.back_rake, deg, between(0.0, 60.0), "lean of the face out of the vertical", true},
-        {"cut_length_mm", &cut.cut_length, mm, positive(), "travel of the cutter"}}},
+        {"run_in_mm", &cut.run_in, mm, at_least(0.0), "travel before forces count: the fresh edge of the bed"},
+        {"cut_length_mm", &cut.cut_length, mm, positive(), "travel of the cutter after that"}}},
       {"cutter",
        {{"diameter_mm", &cut.cutter_diameter, mm, positive(), "length of the face"},
         {"thickness_mm", &cut.cutter_thickness, mm, positive(), "behind the face"},
@@ -67,11 +68,13 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
         "cut.depth_of_cut_mm = {:.4g} (at most a third of bed.height_mm = {:.4g}: the bottom must not carry the chip)",
         cut.depth_of_cut / mm, cut.bed_height / mm));
   }
-  if (cut.cut_length + depths_ahead * cut.depth_of_cut > cut.bed_length * rounding) {
-    refuse(fmt::format(
-        "cut.cut_length_mm = {:.4g} (with {:.4g} mm of depth at most {:.4g}: bed.length_mm = {:.4g} less three depths)",
-        cut.cut_length / mm, cut.depth_of_cut / mm, (cut.bed_length - depths_ahead * cut.depth_of_cut) / mm,
-        cut.bed_length / mm));
+  if (cut.run_in + cut.cut_length + depths_ahead * cut.depth_of_cut > cut.bed_length * rounding) {
+    refuse(
+        fmt::format("cut.cut_length_mm = {:.4g} (with {:.4g} mm of depth at most {:.4g}: bed.length_mm = {:.4g} less "
+                    "three depths and "
+                    "cut.run_in_mm)",
+                    cut.cut_length / mm, cut.depth_of_cut / mm,
+                    (cut.bed_length - depths_ahead * cut.depth_of_cut - cut.run_in) / mm, cut.bed_length / mm));
   }
   if (cut.depth_of_cut > cut.cutter_diameter * std::cos(cut.back_rake)) {
     refuse(fmt::format("cut.depth_of_cut_mm = {:.4g} (at most {:.4g}, the height of the cutter's face)",
@@ -98,7 +101,7 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
                     cut.sampling_distance / um, column / um));
   }
   check_specimen_size(cut.rock, cut.bed_length, cut.bed_height, source + ": [bed]");
-  if (cut.cut_length / cut.sampling_distance > most_samples) {
+  if ((cut.run_in + cut.cut_length) / cut.sampling_distance > most_samples) {
     refuse(fmt::format(
         "run.sampling_distance_um = {:.4g} (a cut of {:.4g} mm would have {:.3g} samples, at most {:.0e})",
         cut.sampling_distance / um, cut.cut_length / mm, cut.cut_length / cut.sampling_distance, most_samples));

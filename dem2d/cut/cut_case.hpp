@@ -17,7 +17,8 @@ struct CutCase {
   double cutter_speed = 0.0;  ///< [m/s]
   double depth_of_cut = 0.0;  ///< [m]
   double back_rake = 0.0;     ///< [rad]
-  double cut_length = 30e-3;  ///< travel of the cutter, from just before the rock [m]
+  double run_in = 0.0;        ///< travel from just before the rock that does not count in forces and peaks [m]
+  double cut_length = 30e-3;  ///< travel of the cutter after that [m]
 
   double cutter_diameter = 13e-3;  ///< length of the face [m]
   double cutter_thickness = 8e-3;  ///< [m]

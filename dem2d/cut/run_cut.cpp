@@ -93,7 +93,7 @@ World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& 
 CutSchedule plan_steps(const CutCase& cut, double critical_step) {
   const double sample_time = cut.sampling_distance / cut.cutter_speed;
   const double wanted = std::ceil(sample_time / critical_step);
-  const double samples = cut.cut_length / cut.sampling_distance;
+  const double samples = (cut.run_in + cut.cut_length) / cut.sampling_distance;
   if (!(critical_step > 0.0) || !(wanted * samples <= most_steps)) {
     throw base::InputError(
         fmt::format("cut.cutter_speed_m_per_s = {:.4g}: the cut would take {:.3g} steps of {:.3g} s (at most {:.0e}; a "
@@ -110,7 +110,8 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step) {
   }
   return {.step = sample_time / steps_per_sample,
           .steps_per_sample = steps_per_sample,
-          .samples = std::llround(cut.cut_length / cut.sampling_distance)};
+          .samples = std::llround(samples),
+          .run_in_samples = std::llround(cut.run_in / cut.sampling_distance)};
 }
 
 CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options,
@@ -134,9 +135,11 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   double disc_steps = 0.0;
   for (long long sample = 1; sample <= schedule.samples; ++sample) {
     double impulse_x = 0.0, impulse_y = 0.0;  // in steps times force
+    const bool counts = sample > schedule.run_in_samples;
     for (int step = 1; step <= schedule.steps_per_sample; ++step) {
       find_forces(world);
-      if (options.measure_energy && step == schedule.steps_per_sample) run.energies.push_back(read_energies(world));
+      if (options.measure_energy && counts && step == schedule.steps_per_sample)
+        run.energies.push_back(read_energies(world));
       move(world);
       impulse_x -= world.boundaries[0].force_x;
       impulse_y += world.boundaries[0].force_y;
@@ -146,9 +149,11 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
     base::throw_if_stopped();
     require_finite(world);
     disc_steps += static_cast<double>(world.discs.count()) * schedule.steps_per_sample;
-    run.time.push_back(static_cast<double>(sample) * interval);
-    run.force_x.push_back(impulse_x / schedule.steps_per_sample);
-    run.force_y.push_back(impulse_y / schedule.steps_per_sample);
+    if (counts) {
+      run.time.push_back(static_cast<double>(sample) * interval);
+      run.force_x.push_back(impulse_x / schedule.steps_per_sample);
+      run.force_y.push_back(impulse_y / schedule.steps_per_sample);
+    }
     const bool frame_due = options.frames > 0 && sample * options.frames / schedule.samples !=
                                                      (sample - 1) * options.frames / schedule.samples;
     if (frame_due || sample == schedule.samples) run.frames.push_back(take_frame(world, rock_window, tip_x));
@@ -156,9 +161,10 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
     if (progress) progress(static_cast<double>(sample) * interval, static_cast<double>(schedule.samples) * interval);
   }
 
-  run.steps = schedule.samples * schedule.steps_per_sample;
-  run.cut_length = cut.sampling_distance * static_cast<double>(schedule.samples);
-  run.duration = interval * static_cast<double>(schedule.samples);
+  const auto counted = static_cast<double>(run.time.size());
+  run.steps = schedule.steps();
+  run.cut_length = cut.sampling_distance * counted;
+  run.duration = interval * counted;
   run.mean_force_x = mean(run.force_x);
   run.mean_force_y = mean(run.force_y);
   run.specific_energy = run.mean_force_x / cut.depth_of_cut;

@@ -22,7 +22,8 @@
 namespace dem2d {
 
 struct CutRun {
-  // Force history. Each sample is the mean over the sampling interval that ends at `time`, so impulses are kept.
+  // Force history after the run-in. Each sample is the mean over the sampling interval that ends at `time` (since the
+  // start of the cut), so impulses are kept.
   std::vector<double> time;     ///< [s]
   std::vector<double> force_x;  ///< resistance to cutting, positive [N/m]
   std::vector<double> force_y;  ///< push out of the rock, positive [N/m]
@@ -35,9 +36,9 @@ struct CutRun {
   int discs = 0, joints = 0;  ///< at the start
   double step = 0.0;          ///< [s]
   long long steps = 0;
-  double cut_length = 0.0;                        ///< [m]
-  double duration = 0.0;                          ///< [s]
-  double mean_force_x = 0.0, mean_force_y = 0.0;  ///< over the whole cut [N/m]
+  double cut_length = 0.0;                        ///< after the run-in [m]
+  double duration = 0.0;                          ///< after the run-in [s]
+  double mean_force_x = 0.0, mean_force_y = 0.0;  ///< over the cut after the run-in [N/m]
   double specific_energy = 0.0;                   ///< mean_force_x / depth of cut [Pa]
   int cracks_tensile = 0, cracks_shear = 0;
   int removed_discs = 0;
@@ -60,7 +61,10 @@ World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& 
 struct CutSchedule {
   double step;  ///< [s], a whole number of steps fills one sampling interval
   int steps_per_sample;
-  long long samples;
+  long long samples;         ///< in all
+  long long run_in_samples;  ///< of these at the start, not recorded
+
+  long long steps() const { return samples * steps_per_sample; }
 };
 /// Throws `InputError` when the cut would take more than 1e9 steps, or the cutter would move more than a hundredth of
 /// the smallest grain in one.

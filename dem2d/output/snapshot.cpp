@@ -105,7 +105,7 @@ void annotate(const Picture& picture, const RunFile& run, const Frame& frame, st
                                  {tension_line, true, fmt::format("tension cracks ({})", tensile)},
                                  {shear_line, true, fmt::format("shear cracks ({})", shear)}};
   draw_legend(picture, entries);
-  const double travelled = run.run.cut_length - cut.cutter_speed * (run.run.duration - frame.time);
+  const double travelled = cut.cutter_speed * frame.time;
   const std::string title = fmt::format("{}: {:g} m/s, {:g} mm deep, {:g}\u00b0 back rake, after {:.1f} mm of cut",
                                         cut.rock.name, cut.cutter_speed, base::in_units(cut.depth_of_cut, base::mm),
                                         base::in_units(cut.back_rake, base::deg), travelled * 1e3);

@@ -118,6 +118,26 @@ TEST(Cut, TheBedIsHeldByItsOutermostColumnAndFreeAtItsSurfaceAndWhereTheCutterEn
   }
 }
 
+TEST(Cut, TheRunInIsCutButNotCounted) {
+  dem2d::CutCase cut = small_cut();
+  const dem2d::CutRun all = dem2d::run_cut(cut, small_bed());
+  cut.run_in = 3e-3;
+  cut.cut_length -= cut.run_in;
+  const dem2d::CutRun rest = dem2d::run_cut(cut, small_bed());
+  const std::size_t skipped = all.force_x.size() - rest.force_x.size();
+  EXPECT_EQ(skipped, static_cast<std::size_t>(std::llround(3e-3 / cut.sampling_distance)));
+  const std::vector<double> tail(all.force_x.begin() + static_cast<std::ptrdiff_t>(skipped), all.force_x.end());
+  EXPECT_EQ(rest.force_x, tail);
+  EXPECT_EQ(rest.time.front(), all.time[skipped]);
+  EXPECT_EQ(rest.energies.size(), rest.force_x.size());
+  EXPECT_EQ(rest.energy_residual_fraction, all.energy_residual_fraction);
+  EXPECT_EQ(rest.steps, all.steps);
+  EXPECT_NEAR(rest.cut_length, 5e-3, 1e-12);
+  double sum = 0.0;
+  for (const double f : tail) sum += f;
+  EXPECT_NEAR(rest.mean_force_x, sum / static_cast<double>(tail.size()), 1e-9 * rest.mean_force_x);
+}
+
 TEST(Cut, ACutterThatMovesAwayFromTheRockFeelsNothing) {
   auto cut = small_cut();
   const auto bed = small_bed();

@@ -97,6 +97,14 @@ TEST_F(StudyFile, DepthSizesCutAndBed) {
   EXPECT_EQ(resolved.find("\ncut_length_mm"), std::string::npos) << "not a size of all cases";
 }
 
+TEST_F(StudyFile, TheRunInLengthensTheBedAndIsNotPartOfTheCutLength) {
+  const campaigns::Study sized = study(fx::head + fx::grid + by_depth + "run_in_depths = 2\n");
+  const dem2d::CutCase cut = campaigns::jobs(sized)[0].cut;  // 2 mm
+  EXPECT_DOUBLE_EQ(cut.run_in, 4e-3);
+  EXPECT_DOUBLE_EQ(cut.cut_length, 40e-3);
+  EXPECT_DOUBLE_EQ(cut.bed_length, 52e-3);
+}
+
 TEST_F(StudyFile, SizesAreGivenOnce) {
   EXPECT_EQ(message(fx::head + fx::grid + by_depth + "[cut]\ncut_length_mm = 20\n"),
             "study.toml:11: cut.cut_length_mm = 20 ([by_depth] sizes each case by its depth; give one of the two)");

@@ -35,7 +35,7 @@ TEST(CutCase, ACutLongerThanItsBedIsRefused) {
   dem2d::CutCase cut = small_cut();
   cut.cut_length = 14.1e-3;
   EXPECT_EQ(message([&] { dem2d::check_cut_case(cut, "a.toml"); }),
-            "a.toml: cut.cut_length_mm = 14.1 (with 2 mm of depth at most 14: bed.length_mm = 20 less three depths)");
+            "a.toml: cut.cut_length_mm = 14.1 (with 2 mm of depth at most 14: bed.length_mm = 20 less three depths and cut.run_in_mm)");
 }
 
 TEST(CutCase, ADepthBelowOneGrainIsWarnedOf) {
