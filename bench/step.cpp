@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <hwy/targets.h>
 #include <malloc.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include <string>
 
 #include "base/files.hpp"
+#include "base/thread_time.hpp"
 #include "bench/scenes.hpp"
 
 namespace {
@@ -27,9 +27,7 @@ using Clock = std::chrono::steady_clock;
 /// One thread: time it has spent on its core, so that a busy machine falsifies little; several: time on the clock [s].
 double now(int threads) {
   if (threads > 1) return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  return base::thread_time();
 }
 
 double seconds_since(Clock::time_point start) {

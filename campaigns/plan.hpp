@@ -11,11 +11,9 @@
 #include <vector>
 
 #include "campaigns/study.hpp"
+#include "dem2d/step/step.hpp"
 
 namespace campaigns {
-
-/// For estimates only [ns per disc and step]: measured during cuts on one core of a 2.6 GHz Xeon.
-inline constexpr double typical_ns_per_disc_step = 26.0;
 
 /// In proportion to steps times discs, for comparing jobs of one study [s m2].
 double work(const Job& job);
@@ -48,6 +46,7 @@ struct Plan {
 
 /// With an empty folder, or one that does not exist, everything is still to be done. Throws `base::InputError` when the
 /// folder belongs to another study, or a cut would take too many or too large steps (`dem2d::plan_steps`).
-Plan plan(const Study& study, const std::filesystem::path& folder, double ns_per_disc_step = typical_ns_per_disc_step);
+Plan plan(const Study& study, const std::filesystem::path& folder,
+          double ns_per_disc_step = dem2d::typical_ns_per_disc_step);
 
 }  // namespace campaigns

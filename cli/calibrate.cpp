@@ -12,6 +12,7 @@
 #include "dem2d/calibrate/calibrated_rock.hpp"
 #include "dem2d/calibrate/laboratory.hpp"
 #include "dem2d/lab/loading_rate.hpp"
+#include "dem2d/step/step.hpp"
 
 namespace cli {
 
@@ -26,9 +27,8 @@ struct Options {
 };
 
 // For the estimates of --check only.
-constexpr double typical_ns_per_disc_step = 26.0;  // measured on one core of a 2.6 GHz Xeon
-constexpr double typical_step = 0.5;               // of radius / wave speed: a disc between four neighbours of its size
-constexpr double load_after_expected = 1.3;        // a test goes on until the stress has fallen again
+constexpr double typical_step = 0.5;         // of radius / wave speed: a disc between four neighbours of its size
+constexpr double load_after_expected = 1.3;  // a test goes on until the stress has fallen again
 constexpr int typical_coarse_evaluations = 5, typical_fine_evaluations = 3;
 
 /// "first:last", both included; all of them new to the calibration.
@@ -107,7 +107,7 @@ void print_plan(const Options& options, const dem2d::CalibrationTarget& target) 
   for (const dem2d::LabTest test : dem2d::tests_of(target)) {
     const double strain = dem2d::expected_strength(test, target.start) / target.start.joint_modulus;
     const double duration = load_after_expected * strain / dem2d::default_strain_rate(test, target.start, lab);
-    seconds_per_specimen += duration / step * discs * typical_ns_per_disc_step * 1e-9;
+    seconds_per_specimen += duration / step * discs * dem2d::typical_ns_per_disc_step * 1e-9;
   }
   const int specimens =
       typical_coarse_evaluations * settings.scouting_seeds + typical_fine_evaluations * settings.seeds;

@@ -70,7 +70,7 @@ void run_campaign(const RunFlags& flags) {
   const std::filesystem::path folder = options.folder;
   if (options.common.check) {
     require_outputs(options.common, {options.study_file}, {});
-    return print_plan(options, study, campaigns::typical_ns_per_disc_step);
+    return print_plan(options, study, dem2d::typical_ns_per_disc_step);
   }
   require_outputs(options.common, {options.study_file, folder / "study.toml", folder / "features.csv"}, {});
   accept_tables(flags, study);

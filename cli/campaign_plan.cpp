@@ -12,7 +12,7 @@ constexpr double seconds_per_hour = 3600.0;
 
 struct Options {
   CampaignOptions campaign;
-  double ns_per_disc_step = campaigns::typical_ns_per_disc_step;
+  double ns_per_disc_step = dem2d::typical_ns_per_disc_step;
 };
 
 }  // namespace

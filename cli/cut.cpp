@@ -45,7 +45,7 @@ void print_plan(const Options& options, const dem2d::CutCase& cut) {
   const dem2d::World world = dem2d::make_cut_world(cut, bed);
   const dem2d::CutSchedule plan = dem2d::plan_steps(cut, world.step);
   const double steps = static_cast<double>(plan.steps());
-  const double minutes = steps * static_cast<double>(bed.x.size()) * campaigns::typical_ns_per_disc_step * 1e-9 / 60.0;
+  const double minutes = steps * static_cast<double>(bed.x.size()) * dem2d::typical_ns_per_disc_step * 1e-9 / 60.0;
   say(options.common,
       "discs {}, joints {}, critical step {:.3g} s, step {:.3g} s, steps {:.0f}, samples {}, duration {:.4g} s, about "
       "{:.2g} minutes on one core\n",

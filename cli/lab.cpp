@@ -17,6 +17,7 @@
 #include "dem2d/lab/lab_test.hpp"
 #include "dem2d/lab/loading_rate.hpp"
 #include "dem2d/specimen/specimen_file.hpp"
+#include "dem2d/step/step.hpp"
 
 namespace cli {
 
@@ -31,9 +32,6 @@ struct Options {
   dem2d::LabSettings settings;
   bool rate_check = false;
 };
-
-// For the estimate of --check only [ns per disc and step]: measured on one core of a 2.6 GHz Xeon.
-constexpr double typical_ns_per_disc_step = 26.0;
 
 /// What is tested: the specimens and the settings, complete.
 struct Plan {
@@ -253,8 +251,8 @@ void print_plan(const Options& options, const Plan& plan) {
   const double discs = plan.given.empty() ? dem2d::expected_discs(plan.rock, box.width, box.height)
                                           : static_cast<double>(plan.given.front().x.size());
   const double duration = dem2d::expected_strain(options.test, plan.rock) / plan.settings.strain_rate;
-  const double minutes = duration / dem2d::expected_step(plan.rock) * discs * typical_ns_per_disc_step * 1e-9 / 60.0 *
-                         static_cast<double>(plan.seeds.size()) * (options.rate_check ? 3.0 : 1.0);
+  const double minutes = duration / dem2d::expected_step(plan.rock) * discs * dem2d::typical_ns_per_disc_step * 1e-9 /
+                         60.0 * static_cast<double>(plan.seeds.size()) * (options.rate_check ? 3.0 : 1.0);
   say(options.common,
       "{} {} tests of {:.4g} x {:.4g} mm, about {:.0f} discs each; strain rate {:.3g} /s, strength expected after "
       "{:.3g} "

@@ -18,6 +18,7 @@ function(bitrock_module name)
   set_target_properties(bitrock_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(bitrock_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                              $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}> $<INSTALL_INTERFACE:include/bitrock>)
+  target_compile_features(bitrock_${name} PUBLIC cxx_std_20)  # the headers need it, so whoever includes them does
   target_link_libraries(bitrock_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
   bitrock_target_rules(bitrock_${name})
   set_property(GLOBAL APPEND PROPERTY bitrock_modules bitrock_${name})

@@ -101,10 +101,11 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
                     cut.sampling_distance / um, column / um));
   }
   check_specimen_size(cut.rock, cut.bed_length, cut.bed_height, source + ": [bed]");
-  if ((cut.run_in + cut.cut_length) / cut.sampling_distance > most_samples) {
-    refuse(fmt::format(
-        "run.sampling_distance_um = {:.4g} (a cut of {:.4g} mm would have {:.3g} samples, at most {:.0e})",
-        cut.sampling_distance / um, cut.cut_length / mm, cut.cut_length / cut.sampling_distance, most_samples));
+  const double travel = cut.run_in + cut.cut_length;
+  if (travel / cut.sampling_distance > most_samples) {
+    refuse(
+        fmt::format("run.sampling_distance_um = {:.4g} (a cut of {:.4g} mm would have {:.3g} samples, at most {:.0e})",
+                    cut.sampling_distance / um, travel / mm, travel / cut.sampling_distance, most_samples));
   }
 }
 

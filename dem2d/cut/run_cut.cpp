@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "base/stop.hpp"
+#include "base/thread_time.hpp"
 #include "dem2d/cut/window.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/specimen/order.hpp"
@@ -36,11 +35,12 @@ double start_x(const CutCase& cut) {
   return -cut.depth_of_cut * std::tan(cut.back_rake) - start_gap;
 }
 
-Boundary wall(const CutCase& cut, const ConvexPolygon& shape) {
-  return {.shape = shape,
+Boundary make_cutter(const CutCase& cut, double tip_y) {
+  return {.shape = cutter_outline({cut.cutter_diameter, cut.cutter_thickness, cut.back_rake}, start_x(cut), tip_y),
+          .velocity_x = cut.cutter_speed,
           .modulus = cut.rock.contact_modulus,
           .stiffness_ratio = cut.rock.contact_stiffness_ratio,
-          .friction = cut.rock.contact_friction,
+          .friction = cut.cutter_friction,
           .damping_ratio = cut.rock.contact_damping_ratio,
           .shear_damping_ratio = cut.rock.contact_shear_damping_ratio};
 }
@@ -52,13 +52,6 @@ void hold_sides(World& world, const Specimen& bed, double tip_y) {
     const bool at_left = discs.x[i] < column && discs.y[i] < tip_y - 2.0 * column;
     if (at_left || discs.y[i] < column || discs.x[i] > bed.width - column) hold(world.discs, i);
   }
-}
-
-/// Time that this thread has spent on a core [s].
-double thread_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double mean(const std::vector<double>& values) {
@@ -78,10 +71,7 @@ World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& 
   world.domain = {-margin, -margin, bed.width + margin, bed.height + margin};
 
   const double tip_y = bed.height - cut.depth_of_cut;
-  Boundary cutter =
-      wall(cut, cutter_outline({cut.cutter_diameter, cut.cutter_thickness, cut.back_rake}, start_x(cut), tip_y));
-  cutter.friction = cut.cutter_friction;
-  cutter.velocity_x = cut.cutter_speed;
+  Boundary cutter = make_cutter(cut, tip_y);
   forgive_overlaps(cutter, world.discs);  // packed discs reach a little beyond the edge of the bed
   world.boundaries = {cutter};
   hold_sides(world, bed, tip_y);
@@ -117,7 +107,7 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step) {
 CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options,
                const base::ProgressCallback& progress) {
   const auto started = std::chrono::steady_clock::now();
-  const double thread_started = thread_time();
+  const double thread_started = base::thread_time();
   World world = make_cut_world(cut, bed, options);
   const CutSchedule schedule = plan_steps(cut, world.step);
   world.step = schedule.step;
@@ -175,7 +165,7 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   run.removed_discs = world.removed_discs - (window ? window->left_behind.count() : 0);
   if (options.measure_energy) run.energy_residual_fraction = energy_residual_fraction({}, run.energies.back());
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-  run.core_time = options.threads == 1 ? thread_time() - thread_started : run.wall_time * options.threads;
+  run.core_time = options.threads == 1 ? base::thread_time() - thread_started : run.wall_time * options.threads;
   run.nanoseconds_per_disc_step = run.core_time / options.threads * 1e9 / disc_steps;
   return run;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// One cut from start to end: puts cutter and walls around a bed of rock, drives the cutter through it at constant
-/// speed and depth, and records what the rock does to the cutter.
+/// One cut from start to end: puts the cutter to a bed of rock that is held at its sides, drives the cutter through it
+/// at constant speed and depth, and records what the rock does to the cutter.
 ///
 /// The bed is the specimen in its packing box, its surface at y = height. It is held as if glued in: the outermost
 /// column of discs, two largest radii wide, stands still at the bottom, at the right, and at the left up to two columns
@@ -54,7 +54,7 @@ struct CutOptions {
   bool measure_energy = true;  ///< costs a few percent of time; changes no force
 };
 
-/// The bed with cutter (boundary 0) and walls, prepared, with its critical step.
+/// The bed, held at its sides, with the cutter (boundary 0), prepared, with its critical step.
 World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& options = {});
 
 /// How the steps of a cut are laid out.

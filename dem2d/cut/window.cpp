@@ -14,6 +14,7 @@ namespace dem2d {
 
 namespace {
 
+// The window moves on by so many columns at a time: lists are made anew then, so not too often.
 constexpr double columns_at_a_time = 4.0;
 
 int place_in_bed(const Window& window, int id) {

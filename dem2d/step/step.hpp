@@ -31,6 +31,9 @@ void sum_forces(World& world, const Share& share = {});      ///< sum_forces.cpp
 /// The stage of `move`, before boundaries move and cracks are collected.
 void integrate(World& world, const Share& share = {});  ///< integrate.cpp
 
+/// What a disc and step take on one core, for estimates only [ns]: during cuts on a 2.6 GHz Xeon (docs/performance.md).
+inline constexpr double typical_ns_per_disc_step = 26.0;
+
 /// Largest stable step [s] times 0.8, over all discs and their present contacts:
 ///
 ///     dt = 0.8 min over discs of ( sqrt(m / k_x), sqrt(m / k_y), sqrt(I / k_rot) )

@@ -130,7 +130,7 @@ struct LinearContacts {
   int count() const { return static_cast<int>(disc1.size()); }
 };
 
-/// A rigid polygon that moves at a given velocity: cutter, bed wall, side of the packing box.
+/// A rigid polygon that moves at a given velocity: cutter, platen, side of the packing box.
 struct Boundary {
   ConvexPolygon shape;
   double velocity_x = 0.0, velocity_y = 0.0;  ///< [m/s]

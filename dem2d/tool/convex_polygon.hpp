@@ -1,5 +1,5 @@
 #pragma once
-/// A rigid convex polygon and the point of its boundary nearest to a disc's centre. Cutter, bed walls and packing box
+/// A rigid convex polygon and the point of its boundary nearest to a disc's centre. Cutter, platens and packing box
 /// are all such polygons, so there is one contact search and one contact law for them. A disc touches a polygon in at
 /// most one point, so a corner is never counted twice.
 
