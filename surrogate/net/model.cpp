@@ -34,9 +34,9 @@ double clamped(const Variable& variable, double si_value, double si_per_unit) {
 }
 
 double output_value(const OutputModel& output, const Conditions& scaled) {
-  double value = 0.0;
-  forward(output.network, scaled, {&value, 1});
-  return output.variable.offset + output.variable.scale * value;
+  double given = 0.0;
+  forward(output.network, scaled, {&given, 1});
+  return from_network(output, given);
 }
 
 PeakStatisticsPrediction statistics(const Model& model, std::size_t first, const Conditions& scaled) {
@@ -48,6 +48,22 @@ PeakStatisticsPrediction statistics(const Model& model, std::size_t first, const
 }
 
 }  // namespace
+
+double to_network(const OutputModel& output, double value) {
+  const double seen = output.log_reference > 0.0 ? std::log1p(value / output.log_reference) : value;
+  return (seen - output.variable.offset) / output.variable.scale;
+}
+
+double from_network(const OutputModel& output, double given) {
+  const double seen = output.variable.offset + output.variable.scale * given;
+  const double value = output.log_reference > 0.0 ? output.log_reference * std::expm1(seen) : seen;
+  return rectified(value);
+}
+
+std::array<double, output_count> listed(const Prediction& prediction) {
+  const PeakStatisticsPrediction &x = prediction.x, &y = prediction.y;
+  return {x.amax, x.amean, x.np1, x.np23, x.np4, y.amax, y.amean, y.np1, y.np23, y.np4};
+}
 
 Prediction predict(const Model& model, const CutConditions& conditions) {
   const Conditions values = in_file_units(conditions);

@@ -25,18 +25,31 @@ struct Variable {
 };
 
 struct LearningPoint {
-  int epoch = 0;           ///< 1 is after the first pass through the training rows
-  double train_mse = 0.0;  ///< mean squared error over all training rows, scaled units
-  double test_mse = 0.0;   ///< the same over the test rows
+  int epoch = 0;                ///< 1 is after the first pass through the training rows
+  double train_mse = 0.0;       ///< mean squared error over all training rows, scaled units, weighted as in training
+  double validation_mse = 0.0;  ///< the same over the validation rows; 0 when there are none
+  double test_mse = 0.0;        ///< the same over the test rows
 };
 
 /// One output: its scaling, its network, how it was learnt.
+///
+/// **Equation** the network gives (t(y) - offset) / scale, where t(y) = y, or t(y) = ln(1 + y / y_0) when log_reference
+/// y_0 is above 0. **Symbols** y the output in its unit, y_0 in that unit. The logarithm makes equal errors of the
+/// network equal shares of the output.
 struct OutputModel {
-  Variable variable;
+  Variable variable;           ///< offset and scale are in its unit, or dimensionless with a log_reference
+  double log_reference = 0.0;  ///< y_0, in the unit of the variable; 0: the network gives the value itself
   Network network;
   int restarts = 0;                           ///< dead networks drawn or trained before this one
+  int best_epoch = 0;                         ///< the epoch whose parameters were kept
   std::vector<LearningPoint> learning_curve;  ///< at most 200 points, the last epoch among them
 };
+
+/// What the network should give for a value of the output.
+double to_network(const OutputModel& output, double value);
+
+/// The output for what the network gives; never negative, because amplitudes and counts are not.
+double from_network(const OutputModel& output, double given);
 
 /// Where a model came from: enough to train it again to the same bits.
 struct Provenance {
@@ -48,10 +61,17 @@ struct Provenance {
   double split = 0.0;               ///< fraction of the cases used for training
   bool shuffle = true;              ///< false: file order, the last cases are the test set
   int epochs = 0;
-  int batch = 0;                 ///< rows a step
-  double learning_rate = 0.0;    ///< [1]
-  std::vector<int> train_cases;  ///< ascending case numbers
-  std::vector<int> test_cases;   ///< ascending case numbers
+  int batch = 0;                      ///< rows a step
+  double learning_rate = 0.0;         ///< [1]
+  double validation = 0.0;            ///< fraction of the training cases that say when to stop; 0: none
+  int patience = 0;                   ///< epochs without a better validation error before the stop; 0: no stop
+  int starts = 1;                     ///< trainings from different random starts, of which the best was kept
+  bool averaged = true;               ///< learnt from the mean over the cuts of a case, not from the single cuts
+  bool weighted = false;              ///< errors weighted by the scatter of the data
+  std::vector<int> train_cases;       ///< ascending case numbers
+  std::vector<int> validation_cases;  ///< ascending case numbers
+  std::vector<int> test_cases;        ///< ascending case numbers
+  std::string choice;                 ///< which kinds of network were compared and why this one; empty: not compared
   std::string bitrock_version;
 };
 
@@ -116,6 +136,9 @@ struct Prediction {
   PeakStatisticsPrediction y;  ///< axial direction, out of the rock
   bool inside_training_range = false;
 };
+
+/// The ten numbers in the order of `output_names`.
+std::array<double, output_count> listed(const Prediction& prediction);
 
 /// Takes no memory, does not throw, does not clamp: outside the training range it extrapolates and says so.
 /// Not-a-number in gives not-a-number out, flagged as outside. The model must come from `read_model` or `train`: its

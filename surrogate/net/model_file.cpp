@@ -57,7 +57,10 @@ OrderedJson output_json(const OutputModel& output) {
     biases.push_back(std::vector<double>(seen.biases.data(), seen.biases.data() + seen.biases.size()));
   }
   OrderedJson json = variable_json(output.variable);
+  json["log_reference"] = output.log_reference;
   json["restarts"] = output.restarts;
+  json["best_epoch"] = output.best_epoch;
+  json["output_activation"] = name_of(output.network.output);
   json["layers"] = output.network.layers;
   json["weights"] = weights;
   json["biases"] = biases;
@@ -75,19 +78,28 @@ OrderedJson provenance_json(const Provenance& provenance) {
           {"epochs", provenance.epochs},
           {"batch", provenance.batch},
           {"learning_rate", provenance.learning_rate},
+          {"validation", provenance.validation},
+          {"patience", provenance.patience},
+          {"starts", provenance.starts},
+          {"averaged", provenance.averaged},
+          {"weighted", provenance.weighted},
           {"train_cases", provenance.train_cases},
+          {"validation_cases", provenance.validation_cases},
           {"test_cases", provenance.test_cases},
+          {"choice", provenance.choice},
           {"bitrock_version", provenance.bitrock_version}};
 }
 
 OrderedJson curve_json(const std::vector<LearningPoint>& curve) {
-  OrderedJson epochs = OrderedJson::array(), train = OrderedJson::array(), test = OrderedJson::array();
+  OrderedJson epochs = OrderedJson::array(), train = OrderedJson::array(), validation = OrderedJson::array(),
+              test = OrderedJson::array();
   for (const LearningPoint& point : curve) {
     epochs.push_back(point.epoch);
     train.push_back(point.train_mse);
+    validation.push_back(point.validation_mse);
     test.push_back(point.test_mse);
   }
-  return {{"epoch", epochs}, {"train_mse", train}, {"test_mse", test}};
+  return {{"epoch", epochs}, {"train_mse", train}, {"validation_mse", validation}, {"test_mse", test}};
 }
 
 // Reading, in the order of writing.
@@ -118,6 +130,9 @@ void read_parameters(const JsonPlace& list, int count, std::vector<double>& para
 
 Network read_network(const JsonPlace& place) {
   Network network;
+  const auto activation = output_activation(place.at("output_activation").text());
+  if (!activation) place.at("output_activation").refuse("must be rectified, softplus or linear");
+  network.output = *activation;
   network.layers = place.at("layers").whole_numbers();
   const std::string problem = layers_problem(network.layers);
   if (!problem.empty()) place.at("layers").refuse(problem);
@@ -141,18 +156,26 @@ Network read_network(const JsonPlace& place) {
 
 OutputModel read_output(const JsonPlace& place, const VariableName& expected) {
   std::vector<std::string> keys = variable_keys;
-  keys.insert(keys.end(), {"restarts", "layers", "weights", "biases"});
+  keys.insert(keys.end(),
+              {"log_reference", "restarts", "best_epoch", "output_activation", "layers", "weights", "biases"});
   place.only(keys);
   OutputModel output;
   output.variable = read_variable(place, expected);
+  output.log_reference = place.at("log_reference").number_from(0.0, largest_double);
   output.restarts = static_cast<int>(place.at("restarts").whole_up_to(largest_int));
+  output.best_epoch = static_cast<int>(place.at("best_epoch").whole_up_to(largest_int));
   output.network = read_network(place);
   return output;
 }
 
 Provenance read_provenance(const JsonPlace& place) {
-  place.only({"data_file", "data_fingerprint", "initial_fingerprint", "seed", "split_seed", "split", "shuffle",
-              "epochs", "batch", "learning_rate", "train_cases", "test_cases", "bitrock_version"});
+  place.only({"data_file",     "data_fingerprint", "initial_fingerprint",
+              "seed",          "split_seed",       "split",
+              "shuffle",       "epochs",           "batch",
+              "learning_rate", "validation",       "patience",
+              "starts",        "averaged",         "weighted",
+              "train_cases",   "validation_cases", "test_cases",
+              "choice",        "bitrock_version"});
   constexpr std::uint64_t any_seed = std::numeric_limits<std::uint64_t>::max();
   Provenance provenance;
   provenance.data_file = place.at("data_file").text();
@@ -166,8 +189,15 @@ Provenance read_provenance(const JsonPlace& place) {
   provenance.batch = static_cast<int>(place.at("batch").whole_up_to(largest_int));
   provenance.learning_rate = place.at("learning_rate").number_from(0.0, largest_double);
   provenance.train_cases = place.at("train_cases").whole_numbers();
+  provenance.validation = place.at("validation").number_from(0.0, 1.0);
+  provenance.patience = static_cast<int>(place.at("patience").whole_up_to(largest_int));
+  provenance.starts = static_cast<int>(place.at("starts").whole_up_to(largest_int));
+  provenance.averaged = place.at("averaged").flag();
+  provenance.weighted = place.at("weighted").flag();
+  provenance.validation_cases = place.at("validation_cases").whole_numbers();
   provenance.test_cases = place.at("test_cases").whole_numbers();
-  for (const char* key : {"train_cases", "test_cases"}) {
+  provenance.choice = place.at("choice").text();
+  for (const char* key : {"train_cases", "validation_cases", "test_cases"}) {
     const std::vector<int> cases = place.at(key).whole_numbers();
     if (!std::is_sorted(cases.begin(), cases.end())) place.at(key).refuse("must be ascending");
   }
@@ -176,15 +206,17 @@ Provenance read_provenance(const JsonPlace& place) {
 }
 
 std::vector<LearningPoint> read_curve(const JsonPlace& place) {
-  place.only({"epoch", "train_mse", "test_mse"});
+  place.only({"epoch", "train_mse", "validation_mse", "test_mse"});
   const std::vector<int> epochs = place.at("epoch").whole_numbers();
-  const JsonPlace train = place.at("train_mse"), test = place.at("test_mse");
+  const JsonPlace train = place.at("train_mse"), validation = place.at("validation_mse"), test = place.at("test_mse");
   train.list_of(epochs.size());
+  validation.list_of(epochs.size());
   test.list_of(epochs.size());
   std::vector<LearningPoint> curve;
   for (std::size_t i = 0; i < epochs.size(); ++i) {
     curve.push_back({.epoch = epochs[i],
                      .train_mse = train.at(i).number_from(0.0, largest_double),
+                     .validation_mse = validation.at(i).number_from(0.0, largest_double),
                      .test_mse = test.at(i).number_from(0.0, largest_double)});
   }
   return curve;

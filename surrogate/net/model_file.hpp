@@ -12,7 +12,7 @@
 namespace surrogate {
 
 inline constexpr const char* model_format = "bitrock-model";
-inline constexpr int model_format_version = 1;
+inline constexpr int model_format_version = 2;
 
 /// Parameters beyond this are refused. Inputs and outputs are scaled to about 1, so useful parameters are about 1 too;
 /// a million means a broken file or a training that diverged.

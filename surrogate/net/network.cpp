@@ -11,6 +11,12 @@
 
 namespace surrogate {
 
+namespace {
+
+constexpr std::array<std::string_view, 3> output_names_in_files{"rectified", "softplus", "linear"};  // as in the enum
+
+}  // namespace
+
 std::string layers_problem(std::span<const int> layers) {
   if (layers.size() < 2 || layers.size() > most_layers) {
     return fmt::format("{} layers (2 to {} are allowed)", layers.size(), most_layers);
@@ -57,6 +63,41 @@ void initialise(Network& network, base::Random& random) {
   }
 }
 
+double activated(OutputActivation output, double z) {
+  switch (output) {
+    case OutputActivation::rectified:
+      return rectified(z);
+    case OutputActivation::softplus:
+      return std::max(z, 0.0) + std::log1p(std::exp(-std::abs(z)));  // no overflow for large z
+    case OutputActivation::linear:
+      break;
+  }
+  return z;
+}
+
+double activation_slope(OutputActivation output, double activated) {
+  switch (output) {
+    case OutputActivation::rectified:
+      return activated > 0.0 ? 1.0 : 0.0;
+    case OutputActivation::softplus:
+      return -std::expm1(-activated);  // 1/(1 + e^-z) = 1 - e^-f
+    case OutputActivation::linear:
+      break;
+  }
+  return 1.0;
+}
+
+std::string_view name_of(OutputActivation output) {
+  return output_names_in_files[static_cast<std::size_t>(output)];
+}
+
+std::optional<OutputActivation> output_activation(std::string_view name) {
+  for (std::size_t i = 0; i < output_names_in_files.size(); ++i) {
+    if (output_names_in_files[i] == name) return static_cast<OutputActivation>(i);
+  }
+  return std::nullopt;
+}
+
 void forward(const Network& network, std::span<const double> input, std::span<double> output) {
   std::array<double, widest_layer> buffers[2];
   double* from = buffers[0].data();  // a[k-1]
@@ -69,7 +110,7 @@ void forward(const Network& network, std::span<const double> input, std::span<do
     for (int o = 0; o < outputs; ++o) {
       double z = bias[o];
       for (int i = 0; i < inputs; ++i) z += *weight++ * from[i];
-      to[o] = rectified(z);
+      to[o] = k + 1 < network.layers.size() ? rectified(z) : activated(network.output, z);
     }
     weight = bias + outputs;
     std::swap(from, to);

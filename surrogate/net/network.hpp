@@ -6,23 +6,33 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/random.hpp"
 
 namespace surrogate {
 
-/// **What** Layer k = 1..K maps a[k-1] to a[k], with the rectifier on every layer, the output included.
-/// **Equation** a[k] = max(0, W[k] a[k-1] + b[k]), a[0] = input, a[K] = output.
-/// **Symbols** W[k] (n[k] x n[k-1]), b[k] (n[k]), a[k] (n[k]); all dimensionless.
+/// What the last layer does with z[K] = W[K] a[K-1] + b[K].
+enum class OutputActivation {
+  rectified,  ///< max(0, z), as in the article
+  softplus,   ///< ln(1 + e^z), never dead [DugasEtAl2001]
+  linear      ///< z; whoever needs an output that is not negative cuts it off (`from_network`)
+};
+
+/// **What** Layer k = 1..K maps a[k-1] to a[k]: rectified on the hidden layers, as `output` says on the last.
+/// **Equation** a[k] = max(0, W[k] a[k-1] + b[k]) for k < K, a[0] = input, a[K] = f(W[K] a[K-1] + b[K]) = output.
+/// **Symbols** W[k] (n[k] x n[k-1]), b[k] (n[k]), a[k] (n[k]), f the output activation; all dimensionless.
 /// **Source** [BitRock2026, sec. 3.2, fig. 3]: 3 inputs, hidden layers of 4, 6 and 3 nodes, 1 output, rectified
 /// linear units on all layers. [NairHinton2010] for the unit.
-/// **Validity** The output is never negative, which fits amplitudes and counts; a network whose output unit is off for
-/// every input is dead (no gradient reaches its weights) and cannot recover.
+/// **Validity** A rectified output is never negative, which fits amplitudes and counts; a network whose output unit is
+/// off for every input is dead (no gradient reaches its weights) and cannot recover.
 struct Network {
   std::vector<int> layers{3, 4, 6, 3, 1};  ///< n[0], n[1], ..., n[K]
+  OutputActivation output = OutputActivation::rectified;
   /// For k = 1..K: W[k] row by row (n[k] x n[k-1]), then b[k] (n[k]).
   std::vector<double> parameters;
 };
@@ -63,6 +73,18 @@ void initialise(Network& network, base::Random& random);
 inline double rectified(double z) {
   return z < 0.0 ? 0.0 : z;
 }
+
+/// f(z) of the last layer.
+double activated(OutputActivation output, double z);
+
+/// df/dz where f(z) = `activated`: the slope follows from the value. At the kink of the rectifier 0, as Keras has it.
+double activation_slope(OutputActivation output, double activated);
+
+/// "rectified", "softplus", "linear": the names in files and flags.
+std::string_view name_of(OutputActivation output);
+
+/// The activation of that name, or nothing.
+std::optional<OutputActivation> output_activation(std::string_view name);
 
 /// Forward pass of one input (n[0]) to one output (n[K]). Takes no memory and does not throw. Each sum starts at the
 /// bias and runs over the inputs in order: the bits do not depend on vector width, and an export can reproduce them.

@@ -55,6 +55,23 @@ double whole_cell(const base::CsvTable& table, const std::string& name, std::siz
   return value;
 }
 
+/// Number of cuts and standard errors of a row that is a mean, as far as the file has them.
+void read_errors(const base::CsvTable& table, std::size_t row, TrainingRow& read) {
+  if (table.has("seeds")) {
+    read.cuts = static_cast<int>(whole_cell(table, "seeds", row, std::numeric_limits<int>::max()));
+    if (read.cuts < 1) {
+      throw base::InputError(fmt::format("{}:{}: seeds = 0 (must be at least 1)", table.source, read.line));
+    }
+  }
+  Outputs errors{};
+  for (std::size_t i = 0; i < output_columns.size(); ++i) {
+    const std::string name = std::string(output_columns[i].name) + "_standard_error";
+    if (!table.has(name)) return;
+    errors[i] = cell(table, name, row, base::at_least(0.0)) / (output_columns[i].is_count ? read.cut_length : 1.0);
+  }
+  if (read.cuts > 1) read.standard_errors = errors;
+}
+
 TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seeds) {
   constexpr double largest_exact = 0x1.0p53;  // beyond it a double skips whole numbers
   TrainingRow read;
@@ -63,16 +80,17 @@ TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seed
   if (has_seeds) read.seed = static_cast<long long>(whole_cell(table, "seed", row, largest_exact));
   read.inputs = {cell(table, "cutter_speed_m_per_s", row, base::positive()),
                  cell(table, "depth_of_cut_mm", row, base::positive()), cell(table, "back_rake_deg", row, rake_range)};
-  const double cut_length = cell(table, "cut_length_m", row, base::positive());
+  read.cut_length = cell(table, "cut_length_m", row, base::positive());
   for (std::size_t i = 0; i < output_columns.size(); ++i) {
     const OutputColumn& column = output_columns[i];
     const double value = cell(table, column.name, row, base::at_least(0.0));
-    read.outputs[i] = column.is_count ? value / cut_length : value;
+    read.outputs[i] = column.is_count ? value / read.cut_length : value;
     if (!std::isfinite(read.outputs[i])) {
       throw base::InputError(fmt::format("{}:{}: {} = {} over cut_length_m = {} is not finite", table.source, read.line,
-                                         column.name, value, cut_length));
+                                         column.name, value, read.cut_length));
     }
   }
+  if (!has_seeds) read_errors(table, row, read);
   return read;
 }
 
@@ -100,6 +118,33 @@ void check_rows_together(const base::CsvTable& table, const TrainingData& data) 
   }
 }
 
+/// The mean of at least one row of one case.
+TrainingRow mean_of(const std::vector<const TrainingRow*>& rows) {
+  TrainingRow mean = *rows.front();
+  if (rows.size() == 1) return mean;
+  mean.seed = 0;
+  mean.cuts = 0;
+  mean.cut_length = 0.0;
+  mean.outputs = {};
+  for (const TrainingRow* row : rows) mean.cuts += row->cuts;
+  for (const TrainingRow* row : rows) {
+    const double share = static_cast<double>(row->cuts) / mean.cuts;
+    mean.cut_length += share * row->cut_length;
+    for (std::size_t i = 0; i < output_count; ++i) mean.outputs[i] += share * row->outputs[i];
+  }
+  Outputs errors{};
+  for (std::size_t i = 0; i < output_count; ++i) {
+    double squares = 0.0;
+    for (const TrainingRow* row : rows) {
+      const double deviation = row->outputs[i] - mean.outputs[i];
+      squares += row->cuts * deviation * deviation;
+    }
+    errors[i] = std::sqrt(squares / (static_cast<double>(rows.size() - 1) * mean.cuts));
+  }
+  mean.standard_errors = errors;
+  return mean;
+}
+
 }  // namespace
 
 TrainingData read_training_data(const std::filesystem::path& path) {
@@ -111,6 +156,20 @@ TrainingData read_training_data(const std::filesystem::path& path) {
   for (std::size_t row = 0; row < table.rows(); ++row) data.rows.push_back(read_row(table, row, data.has_seeds));
   check_rows_together(table, data);
   return data;
+}
+
+TrainingData averaged(const TrainingData& data) {
+  TrainingData means{.file = data.file, .fingerprint = data.fingerprint};
+  std::map<int, std::vector<const TrainingRow*>> rows_of_case;
+  for (const TrainingRow& row : data.rows) rows_of_case[row.case_number].push_back(&row);
+  for (const int number : case_numbers(data)) means.rows.push_back(mean_of(rows_of_case.at(number)));
+  return means;
+}
+
+CutConditions conditions_of(const TrainingRow& row) {
+  return {.cutter_speed = row.inputs[0] * input_names[0].si_per_unit,
+          .depth_of_cut = row.inputs[1] * input_names[1].si_per_unit,
+          .back_rake = row.inputs[2] * input_names[2].si_per_unit};
 }
 
 std::vector<int> case_numbers(const TrainingData& data) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,13 +13,19 @@
 
 namespace surrogate {
 
-/// One cut, in the units of the file, in the order of `input_names` and `output_names`.
+using Outputs = std::array<double, output_count>;  ///< in the order of `output_names`
+
+/// One cut, or the mean over the cuts of a case, in the units of the file, in the order of `input_names` and
+/// `output_names`.
 struct TrainingRow {
   int case_number = 0;
-  long long seed = 0;                          ///< of the rock; 0 when the file has no seeds
-  std::array<double, input_count> inputs{};    ///< [m/s], [mm], [deg]
-  std::array<double, output_count> outputs{};  ///< [N/m], and peak counts divided by the length of cut [1/m]
-  int line = 0;                                ///< in the file
+  long long seed = 0;                        ///< of the rock; 0 when the file has no seeds
+  std::array<double, input_count> inputs{};  ///< [m/s], [mm], [deg]
+  double cut_length = 0.0;                   ///< [m]
+  Outputs outputs{};                         ///< [N/m], and peak counts divided by the length of cut [1/m]
+  int cuts = 1;                              ///< of which this is the mean
+  std::optional<Outputs> standard_errors{};  ///< of the mean, in the units of `outputs`; known from two cuts on
+  int line = 0;                              ///< in the file, the first one of a mean
 };
 
 struct TrainingData {
@@ -29,11 +36,19 @@ struct TrainingData {
 };
 
 /// Needs the columns case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, and for x and y
-/// {amax_N_per_m, amean_N_per_m, np1, np23, np4}; takes seed when there; ignores all others (standard errors, ...).
+/// {amax_N_per_m, amean_N_per_m, np1, np23, np4}; takes seed when there, and without it seeds (the number of cuts of a
+/// mean) and ..._standard_error when they are there; ignores all others.
 /// Throws `base::InputError` with file and line for: a case or seed that is no whole number, speed, depth or length of
 /// cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts, a case and seed that come twice
 /// (without seeds: a case that comes twice), one case with two conditions, fewer than two cases.
 TrainingData read_training_data(const std::filesystem::path& path);
+
+/// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of
+/// that mean (over the rows when there are several, the file's own otherwise).
+TrainingData averaged(const TrainingData& data);
+
+/// The conditions of a row in SI, as `predict` wants them.
+CutConditions conditions_of(const TrainingRow& row);
 
 /// Each case number once, in the order of the rows.
 std::vector<int> case_numbers(const TrainingData& data);

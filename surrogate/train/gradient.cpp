@@ -8,8 +8,10 @@ namespace surrogate {
 
 namespace {
 
-/// a[k] (B x n[k]) = rectified(a[k-1] (B x n[k-1]) W[k]^T + b[k]).
-void forward_layer(const Layer& seen, int rows, const std::vector<double>& below, std::vector<double>& above) {
+/// a[k] (B x n[k]) = f(a[k-1] (B x n[k-1]) W[k]^T + b[k]), f of a hidden layer or of the output.
+template <class Activation>
+void forward_layer(const Layer& seen, int rows, const Activation& f, const std::vector<double>& below,
+                   std::vector<double>& above) {
   const Eigen::Index inputs = seen.weights.cols(), outputs = seen.weights.rows();
   above.resize(static_cast<std::size_t>(rows * outputs));
   for (Eigen::Index b = 0; b < rows; ++b) {
@@ -17,7 +19,7 @@ void forward_layer(const Layer& seen, int rows, const std::vector<double>& below
     for (Eigen::Index o = 0; o < outputs; ++o) {
       double z = seen.biases(o);
       for (Eigen::Index i = 0; i < inputs; ++i) z += seen.weights(o, i) * from[i];
-      above[static_cast<std::size_t>(b * outputs + o)] = rectified(z);
+      above[static_cast<std::size_t>(b * outputs + o)] = f(z);
     }
   }
 }
@@ -51,6 +53,10 @@ void delta_layer(const Layer& seen, int rows, const std::vector<double>& below, 
   }
 }
 
+double row_weight(const Batch& batch, std::size_t row) {
+  return batch.weights.empty() ? 1.0 : batch.weights[row];
+}
+
 }  // namespace
 
 double loss_and_gradient(const Network& network, const Batch& batch, GradientBuffers& buffers,
@@ -62,7 +68,12 @@ double loss_and_gradient(const Network& network, const Batch& batch, GradientBuf
   };
   buffers.activations.resize(network.layers.size());
   activation(0).assign(batch.inputs.begin(), batch.inputs.end());
-  for (int k = 1; k <= last; ++k) forward_layer(layer(network, k), batch.rows, activation(k - 1), activation(k));
+  for (int k = 1; k < last; ++k) {
+    forward_layer(layer(network, k), batch.rows, rectified, activation(k - 1), activation(k));
+  }
+  forward_layer(
+      layer(network, last), batch.rows, [&](double z) { return activated(network.output, z); }, activation(last - 1),
+      activation(last));
 
   const std::vector<double>& outputs = activation(last);
   const auto count = static_cast<double>(outputs.size());  // B n[K]
@@ -70,8 +81,9 @@ double loss_and_gradient(const Network& network, const Batch& batch, GradientBuf
   buffers.delta.resize(outputs.size());
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const double error = outputs[i] - batch.targets[i];
-    sum += error * error;
-    buffers.delta[i] = outputs[i] > 0.0 ? 2.0 / count * error : 0.0;
+    const double weight = row_weight(batch, i / static_cast<std::size_t>(width(last)));
+    sum += weight * error * error;
+    buffers.delta[i] = 2.0 / count * weight * error * activation_slope(network.output, outputs[i]);
   }
 
   for (int k = last; k >= 1; --k) {
@@ -94,7 +106,7 @@ double mean_squared_error(const Network& network, const Batch& batch) {
     forward(network, batch.inputs.subspan(b * inputs, inputs), std::span(output).first(outputs));
     for (std::size_t j = 0; j < outputs; ++j) {
       const double error = output[j] - batch.targets[b * outputs + j];
-      sum += error * error;
+      sum += row_weight(batch, b) * error * error;
     }
   }
   return sum / static_cast<double>(batch.targets.size());

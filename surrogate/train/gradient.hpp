@@ -14,6 +14,7 @@ struct Batch {
   int rows = 0;                     ///< B
   std::span<const double> inputs;   ///< (B x n[0]), scaled
   std::span<const double> targets;  ///< (B x n[K]), scaled
+  std::span<const double> weights;  ///< (B), of the rows in the error; empty: all 1
 };
 
 /// Memory that is reused from batch to batch.
@@ -24,10 +25,11 @@ struct GradientBuffers {
 };
 
 /// **What** Loss and its derivative with respect to every parameter.
-/// **Equation** L = 1/(B n[K]) sum_b sum_j (a[K]_bj - t_bj)^2. With z[k] = W[k] a[k-1] + b[k] and d[k] = dL/dz[k]:
-///   d[K]_bj = 2/(B n[K]) (a[K]_bj - t_bj) r(z[K]_bj),   d[k-1]_bi = r(z[k-1]_bi) sum_j W[k]_ji d[k]_bj,
+/// **Equation** L = 1/(B n[K]) sum_b w_b sum_j (a[K]_bj - t_bj)^2. With z[k] = W[k] a[k-1] + b[k], d[k] = dL/dz[k]:
+///   d[K]_bj = 2/(B n[K]) w_b (a[K]_bj - t_bj) f'(z[K]_bj),   d[k-1]_bi = r(z[k-1]_bi) sum_j W[k]_ji d[k]_bj,
 ///   dL/dW[k]_ji = sum_b d[k]_bj a[k-1]_bi,   dL/db[k]_j = sum_b d[k]_bj,   r(z) = 1 for z > 0, else 0.
-/// **Symbols** B rows of the batch; n[k], W[k], b[k], a[k] as in `Network`; t target; all dimensionless.
+/// **Symbols** B rows of the batch; n[k], W[k], b[k], a[k], f as in `Network`; t target; w weight of a row; all
+/// dimensionless.
 /// **Source** [RumelhartEtAl1986, eq. 3 to 7].
 /// **Validity** Exact except at a kink z = 0, where the derivative does not exist and 0 is taken, as Keras does.
 /// Sums run in index order: the bits depend neither on vector width nor on thread count.

@@ -2,44 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <span>
 
-#include "base/statistics.hpp"
 #include "surrogate/train/split.hpp"
 
 namespace surrogate {
 
 namespace {
 
-/// The ten numbers of a prediction in the order of `output_names`.
-std::array<double, output_count> listed(const Prediction& prediction) {
-  const PeakStatisticsPrediction &x = prediction.x, &y = prediction.y;
-  return {x.amax, x.amean, x.np1, x.np23, x.np4, y.amax, y.amean, y.np1, y.np23, y.np4};
-}
-
-CutConditions conditions_of(const TrainingRow& row) {
-  return {.cutter_speed = row.inputs[0] * input_names[0].si_per_unit,
-          .depth_of_cut = row.inputs[1] * input_names[1].si_per_unit,
-          .back_rake = row.inputs[2] * input_names[2].si_per_unit};
-}
-
 CaseRole role_of(const Model& model, int case_number) {
   if (contains(model.provenance.train_cases, case_number)) return CaseRole::train;
+  if (contains(model.provenance.validation_cases, case_number)) return CaseRole::validation;
   return contains(model.provenance.test_cases, case_number) ? CaseRole::test : CaseRole::unseen;
 }
 
-ParityPoint parity_point(const Model& model, std::span<const TrainingRow* const> rows, double prediction,
-                         std::size_t output) {
-  std::vector<double> values;
-  for (const TrainingRow* row : rows) values.push_back(row->outputs[output]);
-  const base::Summary summary = base::summarise(values);
-  return {.case_number = rows.front()->case_number,
-          .role = role_of(model, rows.front()->case_number),
-          .seeds = summary.count,
-          .dem_mean = summary.mean,
-          .dem_standard_error = summary.standard_error,
-          .standard_error_known = summary.count >= 2,
+ParityPoint parity_point(const Model& model, const TrainingRow& mean, double prediction, std::size_t output) {
+  return {.case_number = mean.case_number,
+          .role = role_of(model, mean.case_number),
+          .cuts = mean.cuts,
+          .dem_mean = mean.outputs[output],
+          .dem_standard_error = mean.standard_errors ? (*mean.standard_errors)[output] : 0.0,
+          .standard_error_known = mean.standard_errors.has_value(),
           .prediction = prediction};
 }
 
@@ -105,16 +88,12 @@ ParitySummary summary_of_role(const std::vector<ParityPoint>& points, CaseRole r
 }  // namespace
 
 Parity parity(const Model& model, const TrainingData& data) {
-  std::map<int, std::vector<const TrainingRow*>> rows_of_case;
-  for (const TrainingRow& row : data.rows) rows_of_case[row.case_number].push_back(&row);
-
   Parity result;
   result.same_data = data.fingerprint == model.provenance.data_fingerprint;
-  for (const int number : case_numbers(data)) {
-    const std::vector<const TrainingRow*>& rows = rows_of_case.at(number);
-    const auto predictions = listed(predict(model, conditions_of(*rows.front())));
+  for (const TrainingRow& mean : averaged(data).rows) {
+    const auto predictions = listed(predict(model, conditions_of(mean)));
     for (std::size_t i = 0; i < output_count; ++i) {
-      result.outputs[i].points.push_back(parity_point(model, rows, predictions[i], i));
+      result.outputs[i].points.push_back(parity_point(model, mean, predictions[i], i));
     }
   }
   for (std::size_t i = 0; i < output_count; ++i) {

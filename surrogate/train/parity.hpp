@@ -13,16 +13,17 @@
 
 namespace surrogate {
 
-enum class CaseRole { train, test, unseen };  ///< unseen: the model's training knew no case of this number
+/// unseen: the model's training knew no case of this number.
+enum class CaseRole { train, validation, test, unseen };
 
 /// One case of one output, in the output's unit (counts per metre of cut).
 struct ParityPoint {
   int case_number = 0;
   CaseRole role = CaseRole::unseen;
-  int seeds = 0;                      ///< rows averaged
-  double dem_mean = 0.0;              ///< mean over these rows
+  int cuts = 0;                       ///< averaged
+  double dem_mean = 0.0;              ///< mean over these cuts
   double dem_standard_error = 0.0;    ///< of that mean; 0 when not known
-  bool standard_error_known = false;  ///< two rows or more
+  bool standard_error_known = false;  ///< two cuts or more
   double prediction = 0.0;
 };
 

@@ -31,13 +31,19 @@ std::array<Variable, input_count> input_variables(std::span<const TrainingRow> t
   return variables;
 }
 
-std::array<Variable, output_count> output_variables(std::span<const TrainingRow> train_rows) {
-  std::array<Variable, output_count> variables;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
-    variables[i] = ranged(output_names[i], train_rows, [i](const TrainingRow& row) { return row.outputs[i]; });
-    if (variables[i].high > 0.0) variables[i].scale = variables[i].high;
+OutputModel output_scaling(std::span<const TrainingRow> train_rows, std::size_t output, bool log_targets) {
+  const auto value_of = [output](const TrainingRow& row) { return row.outputs[output]; };
+  OutputModel model{.variable = ranged(output_names[output], train_rows, value_of)};
+  const double high = model.variable.high;
+  if (!(high > 0.0)) return model;
+  if (log_targets) {
+    model.log_reference = high;
+    for (const TrainingRow& row : train_rows) {
+      if (value_of(row) > 0.0) model.log_reference = std::min(model.log_reference, value_of(row));
+    }
   }
-  return variables;
+  model.variable.scale = to_network(model, high);  // of offset 0 and scale 1
+  return model;
 }
 
 Variable with_wider_range(Variable kept, const Variable& seen) {

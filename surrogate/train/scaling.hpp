@@ -4,7 +4,8 @@
 ///
 /// **Equation** inputs: scaled = (value - low) / (high - low), in [0, 1] on the training rows;
 /// outputs: scaled = value / high, so that zero stays zero and the scaled output, never negative, fits a rectified
-/// unit. A column that is constant (inputs) or all zero (outputs) gets scale 1.
+/// unit; with a log reference y_0 the same of ln(1 + value / y_0). A column that is constant (inputs) or all zero
+/// (outputs) gets scale 1.
 /// **Source** [BitRock2026, sec. 3.2] says only that the data were scaled.
 
 #include <array>
@@ -17,7 +18,9 @@ namespace surrogate {
 
 /// Both need at least one row.
 std::array<Variable, input_count> input_variables(std::span<const TrainingRow> train_rows);
-std::array<Variable, output_count> output_variables(std::span<const TrainingRow> train_rows);
+
+/// Output number `output` without its network; `log_targets` chooses y_0, the smallest positive value.
+OutputModel output_scaling(std::span<const TrainingRow> train_rows, std::size_t output, bool log_targets);
 
 /// For a warm start: names and scaling of `kept`, range widened to hold `seen` too.
 Variable with_wider_range(Variable kept, const Variable& seen);

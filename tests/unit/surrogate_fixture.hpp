@@ -70,7 +70,8 @@ inline surrogate::Model linear_model() {
                        0.0,
                        scale};
     output.network = {.layers = {3, 1}, .parameters = {1.0, 2.0, 3.0, 0.5}};
-    output.learning_curve = {{1, 0.5, 0.75}, {2, 0.125, 0.25}};
+    output.best_epoch = 2;
+    output.learning_curve = {{1, 0.5, 0.625, 0.75}, {2, 0.125, 0.1875, 0.25}};
   }
   model.rock = "a rock with \"quotes\"";
   model.provenance = {.data_file = "features.csv",
@@ -83,8 +84,15 @@ inline surrogate::Model linear_model() {
                       .epochs = 50,
                       .batch = 4,
                       .learning_rate = 1e-3,
+                      .validation = 0.2,
+                      .patience = 9,
+                      .starts = 3,
+                      .averaged = false,
+                      .weighted = true,
                       .train_cases = {1, 2, 4, 5},
+                      .validation_cases = {6},
                       .test_cases = {3},
+                      .choice = "compared",
                       .bitrock_version = "0.1.0"};
   return model;
 }

@@ -35,6 +35,9 @@ TEST(SurrogateModelFile, ReadsBackBitForBit) {
     surrogate::initialise(output.network, random);
     output.restarts = static_cast<int>(base::below(random, 9));
   }
+  model.outputs[1].network.output = surrogate::OutputActivation::softplus;
+  model.outputs[2].network.output = surrogate::OutputActivation::linear;
+  model.outputs[3].log_reference = 12.5;
   model.outputs[0].network.parameters[0] = -0.0;
   model.outputs[0].network.parameters[1] = std::numeric_limits<double>::denorm_min();
   model.outputs[0].network.parameters[2] = 1.0 / 3.0;
@@ -49,6 +52,10 @@ TEST(SurrogateModelFile, ReadsBackBitForBit) {
     EXPECT_EQ(again.outputs[i].network.layers, model.outputs[i].network.layers);
     EXPECT_EQ(again.outputs[i].network.parameters, model.outputs[i].network.parameters);
     EXPECT_EQ(again.outputs[i].restarts, model.outputs[i].restarts);
+    EXPECT_EQ(again.outputs[i].network.output, model.outputs[i].network.output);
+    EXPECT_EQ(again.outputs[i].log_reference, model.outputs[i].log_reference);
+    EXPECT_EQ(again.outputs[i].best_epoch, 2);
+    EXPECT_EQ(again.outputs[i].learning_curve[1].validation_mse, 0.1875);
     EXPECT_EQ(again.outputs[i].learning_curve[1].test_mse, 0.25);
   }
   EXPECT_TRUE(std::signbit(again.outputs[0].network.parameters[0]));
@@ -57,11 +64,18 @@ TEST(SurrogateModelFile, ReadsBackBitForBit) {
   EXPECT_EQ(again.provenance.seed, 18446744073709551615ULL);
   EXPECT_EQ(again.provenance.train_cases, model.provenance.train_cases);
   EXPECT_EQ(again.provenance.initial_fingerprint, "fedcba9876543210");
+  EXPECT_EQ(again.provenance.validation, 0.2);
+  EXPECT_EQ(again.provenance.patience, 9);
+  EXPECT_EQ(again.provenance.starts, 3);
+  EXPECT_FALSE(again.provenance.averaged);
+  EXPECT_TRUE(again.provenance.weighted);
+  EXPECT_EQ(again.provenance.validation_cases, (std::vector<int>{6}));
+  EXPECT_EQ(again.provenance.choice, "compared");
 }
 
 TEST(SurrogateModelFile, PeopleCanReadIt) {
   const std::string text = model_text(linear_model());
-  EXPECT_EQ(text.find("{\n  \"format\": \"bitrock-model\",\n  \"format_version\": 1,\n"), 0u);
+  EXPECT_EQ(text.find("{\n  \"format\": \"bitrock-model\",\n  \"format_version\": 2,\n"), 0u);
   EXPECT_NE(text.find("      \"layers\": [3,1],\n      \"weights\": [\n        [\n          [1.0,2.0,3.0]\n"),
             std::string::npos);
 }
@@ -103,9 +117,9 @@ TEST(SurrogateModelFile, AFileThatIsNotThereIsRefused) {
 
 TEST(SurrogateModelFile, FormatAndVersionMustFit) {
   EXPECT_EQ(message_after("bitrock-model", "onnx"), "format = \"onnx\" (must be bitrock-model)");
-  EXPECT_EQ(message_after("\"format_version\": 1", "\"format_version\": 2"),
-            "format_version = 2 (this bitrock reads version 1)");
-  EXPECT_EQ(message_after("\"format_version\": 1", "\"format_version\": 1.5"),
+  EXPECT_EQ(message_after("\"format_version\": 2", "\"format_version\": 1"),
+            "format_version = 1 (this bitrock reads version 2)");
+  EXPECT_EQ(message_after("\"format_version\": 2", "\"format_version\": 1.5"),
             "format_version = 1.5 (must be a whole number, 0 or above)");
   EXPECT_EQ(refusal([] { model_from_text("[]", "model.json"); }),
             "model.json: the file = a list of 0 (must be an object {...})");
@@ -119,6 +133,10 @@ TEST(SurrogateModelFile, MissingAndUnknownKeysAreErrors) {
   EXPECT_EQ(message_after("\"offset\": 0.5", "\"offset\": 0.5, \"mean\": 1"),
             "inputs[0].mean is unknown (no such key)");
   EXPECT_EQ(message_after("\"restarts\": 0,", ""), "outputs[0].restarts is missing");
+  EXPECT_EQ(message_after("\"output_activation\": \"rectified\"", "\"output_activation\": \"tanh\""),
+            "outputs[0].output_activation = \"tanh\" (must be rectified, softplus or linear)");
+  EXPECT_EQ(message_after("\"log_reference\": 0.0", "\"log_reference\": -1"),
+            "outputs[0].log_reference = -1 (must be at least 0 and at most 1.79769e+308)");
   EXPECT_EQ(message_after("\"biases\"", "\"bias\""), "outputs[0].bias is unknown (did you mean biases?)");
   EXPECT_EQ(message_after("\"split_seed\": 7,", ""), "provenance.split_seed is missing");
   EXPECT_EQ(message_after("\"y_np4_per_m\": {", "\"y_np5_per_m\": {"), "learning_curves.y_np4_per_m is missing");

@@ -58,7 +58,7 @@ TEST(SurrogateParity, PointsCarryMeanErrorPredictionAndRole) {
   ASSERT_EQ(points.size(), 5u);
   EXPECT_EQ(points[0].case_number, 1);
   EXPECT_EQ(points[0].role, CaseRole::train);
-  EXPECT_EQ(points[0].seeds, 2);
+  EXPECT_EQ(points[0].cuts, 2);
   EXPECT_EQ(points[0].dem_mean, 8.0);
   EXPECT_NEAR(points[0].dem_standard_error, 1.0, 1e-15);
   EXPECT_TRUE(points[0].standard_error_known);

@@ -1,5 +1,5 @@
 // Whole trainings: the same bits for the same seed, a good fit where one is possible, dead starts, warm starts, stops.
-#include "surrogate/train/train.hpp"
+#include "surrogate/train/learn.hpp"
 
 #include <gtest/gtest.h>
 
