@@ -12,6 +12,7 @@ dem2d           dem2d base
 peaks           peaks base
 report          report base
 runtime         runtime base peaks surrogate/net
+surrogate/export surrogate/export surrogate/net base
 surrogate/net   surrogate/net base
 surrogate/train surrogate/train surrogate/net base
 '

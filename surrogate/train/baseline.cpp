@@ -1,0 +1,44 @@
+#include "surrogate/train/baseline.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace surrogate {
+
+namespace {
+
+/// The three functions of the conditions that are added up.
+Eigen::Vector3d terms(std::size_t output, const TrainingRow& row) {
+  const bool is_count = output_names[output].unit == "1/m";
+  const double depth = row.inputs[1], rake = row.inputs[2] * radians_per_degree;
+  return (is_count ? 1.0 / depth : depth) * Eigen::Vector3d(1.0, rake, rake * rake);
+}
+
+}  // namespace
+
+Baseline fit_baseline(std::span<const TrainingRow> rows) {
+  Baseline baseline;
+  const auto count = static_cast<Eigen::Index>(rows.size());
+  for (std::size_t i = 0; i < output_count; ++i) {
+    Eigen::MatrixXd left(count, 3);
+    Eigen::VectorXd right(count);
+    for (Eigen::Index r = 0; r < count; ++r) {
+      const TrainingRow& row = rows[static_cast<std::size_t>(r)];
+      left.row(r) = terms(i, row);
+      right(r) = row.outputs[i];
+    }
+    const Eigen::Vector3d solution = left.completeOrthogonalDecomposition().solve(right);
+    std::copy_n(solution.data(), 3, baseline.coefficients[i].begin());
+  }
+  return baseline;
+}
+
+Outputs predict(const Baseline& baseline, const TrainingRow& conditions) {
+  Outputs outputs;
+  for (std::size_t i = 0; i < output_count; ++i) {
+    outputs[i] = std::max(0.0, Eigen::Vector3d(baseline.coefficients[i].data()).dot(terms(i, conditions)));
+  }
+  return outputs;
+}
+
+}  // namespace surrogate
