@@ -1,0 +1,133 @@
+// Figures for paper: what is in the table, what the script asks for, and that gnuplot, where it is, can draw it.
+#include "report/gnuplot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+#include "base/child_process.hpp"
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "tests/scratch.hpp"
+
+namespace {
+
+using report::Figure;
+using report::gnuplot_files;
+using report::GnuplotFiles;
+using report::PictureFormat;
+using report::Plot;
+using report::Style;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Every style, names that need quoting, a panel without data.
+Figure example() {
+  Plot all{.title = "it's \"all\"",
+           .x_label = "x [mm]",
+           .y_label = "y",
+           .series = {{.name = "band", .x = {1, 2}, .y = {1, 2}, .style = Style::band, .upper = {2, 3}},
+                      {.name = "line", .x = {1, 2, 3}, .y = {1, nan, 2}},
+                      {.name = "dashed", .x = {1, 2}, .y = {2, 1}, .style = Style::dashed},
+                      {.name = "points",
+                       .x = {1, 2},
+                       .y = {1.25, 1e-7},
+                       .style = Style::markers,
+                       .error_x = {0.5, 0.25},
+                       .error_y = {0.1, 0.2},
+                       .labels = {"a, b", "say \"c\""}},
+                      {.name = "both", .x = {1, 2}, .y = {1, 1}, .style = Style::line_and_markers}},
+           .bands = {{.low = 0.5, .high = 1.0, .name = "strip"}},
+           .caption = "a caption"};
+  Plot columns{.title = "columns",
+               .x_label = "x",
+               .y_label = "y",
+               .series = {{.name = "n", .x = {0.0, 0.5, 1.0}, .y = {1, 2, 3}, .style = Style::bars}},
+               .log_y = true,
+               .y_range = report::AxisRange{0.1, 10.0}};
+  const Plot empty{.title = "nothing", .x_label = "x", .y_label = "y", .series = {{.name = "none", .x = {}, .y = {}}}};
+  return {.name = "every_style", .caption = "Three panels.", .plots = {all, columns, empty}, .columns = 2};
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(GnuplotFigure, TheTableHoldsEveryNumberToTheLastDigit) {
+  const std::string table = gnuplot_files(example(), PictureFormat::png).table;
+  EXPECT_TRUE(holds(table, "panel,series,x,y,error_x,error_y,upper,label\n"));
+  EXPECT_TRUE(holds(table, "\"it's 'all'\",\"band\",2,2,,,3,\n"));
+  EXPECT_TRUE(holds(table, "\"points\",1,1.25,0.5,0.1,,\"a, b\"\n"));
+  EXPECT_TRUE(holds(table, "\"points\",2,1e-07,0.25,0.2,,\"say 'c'\"\n"));
+  EXPECT_TRUE(holds(table, "\"line\",1,1,,,,\n\n\"it's 'all'\",\"line\",3,2,,,,\n")) << "a gap is an empty line";
+  EXPECT_FALSE(holds(table, "nan"));
+}
+
+TEST(GnuplotFigure, TheScriptNamesFilesLabelsAndRanges) {
+  const std::string png = gnuplot_files(example(), PictureFormat::png).script;
+  EXPECT_TRUE(holds(png, "data = 'every_style.csv'"));
+  EXPECT_TRUE(holds(png, "if (!exists('picture')) picture = 'every_style.png'"));
+  EXPECT_TRUE(holds(png, "set title 'it''s \"all\"'"));
+  EXPECT_TRUE(holds(png, "set xlabel 'x [mm]'"));
+  EXPECT_TRUE(holds(png, "set yrange [0.1:10]"));
+  EXPECT_TRUE(holds(png, "set logscale y"));
+  EXPECT_TRUE(holds(png, "set boxwidth 0.47 absolute"));  // columns 0.5 apart, with some air
+  EXPECT_TRUE(holds(gnuplot_files(example(), PictureFormat::pdf).script, "picture = 'every_style.pdf'"));
+}
+
+TEST(GnuplotFigure, OneLegendServesPanelsThatShareIt) {
+  Figure figure = example();
+  EXPECT_FALSE(holds(gnuplot_files(figure, PictureFormat::png).script, "# legend"));
+  figure.plots.resize(2);
+  figure.plots[1] = figure.plots[0];
+  figure.plots[1].title = "the same again";
+  const std::string script = gnuplot_files(figure, PictureFormat::png).script;
+  EXPECT_TRUE(holds(script, "# legend"));
+  const std::size_t first = script.find("title 'points'");
+  EXPECT_NE(first, std::string::npos);
+  EXPECT_EQ(script.find("title 'points'", first + 1), std::string::npos) << "once, not once a panel";
+}
+
+TEST(GnuplotFigure, PanelsAndSeriesOfOneNameStayApart) {
+  Figure figure = example();
+  figure.plots[1] = figure.plots[0];
+  figure.plots[0].series[1].name = "";
+  const std::string table = gnuplot_files(figure, PictureFormat::png).table;
+  EXPECT_TRUE(holds(table, "\"panel 1\",\"series 2\",1,1"));
+  EXPECT_TRUE(holds(table, "\"panel 2\",\"line\",1,1"));
+}
+
+TEST(GnuplotFigure, RefusesWhatCannotBeDrawn) {
+  Figure figure = example();
+  figure.name = "a name/with signs";
+  EXPECT_THROW(gnuplot_files(figure, PictureFormat::png), base::InputError);
+  figure = example();
+  figure.columns = 0;
+  EXPECT_THROW(gnuplot_files(figure, PictureFormat::png), base::InputError);
+  figure = example();
+  figure.plots.clear();
+  EXPECT_THROW(gnuplot_files(figure, PictureFormat::png), base::InputError);
+  figure = example();
+  figure.plots[0].series[0].upper.clear();
+  EXPECT_THROW(gnuplot_files(figure, PictureFormat::png), base::InputError);
+}
+
+TEST(GnuplotFigure, GnuplotDrawsItWithoutAWarning) {
+  if (!base::is_installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  for (const PictureFormat format : {PictureFormat::png, PictureFormat::pdf}) {
+    const scratch::Folder folder("it's gnuplot");
+    const GnuplotFiles files = gnuplot_files(example(), format);
+    base::write_whole(folder / "every_style.csv", files.table);
+    base::write_whole(folder / "every_style.gp", files.script);
+    std::string path = folder.path().string();
+    path.insert(path.find('\''), "'");
+    const base::ProgramEnd end = base::run_program({"gnuplot", "-e", "cd '" + path + "'; load 'every_style.gp'"});
+    EXPECT_EQ(end.status, 0);
+    EXPECT_EQ(end.output, "") << "a warning of gnuplot is a fault of the script";
+    const std::string picture = base::read_whole(folder / (std::string("every_style.") + report::ending(format)));
+    EXPECT_EQ(picture.substr(format == PictureFormat::png ? 1 : 0, 3), format == PictureFormat::png ? "PNG" : "%PD");
+  }
+}
+
+}  // namespace
