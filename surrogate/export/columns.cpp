@@ -1,0 +1,54 @@
+#include "surrogate/export/columns.hpp"
+
+namespace surrogate {
+
+namespace {
+
+struct Words {
+  const char* name;
+  const char* unit;
+  const char* meaning;
+};
+
+/// In the order of `input_names`, whose `si_per_unit` leads to these units.
+constexpr std::array<Words, input_count> condition_words{{
+    {"cutter_speed_m_per_s", "m/s", "along the rock surface"},
+    {"depth_of_cut_m", "m", "below the rock surface"},
+    {"back_rake_rad", "rad", "lean of the face of the cutter"},
+}};
+
+/// Of the five statistics of one force component. Their units are SI in the model file too.
+constexpr std::array<const char*, statistics_count> statistic_meanings{
+    "height of the highest peak", "mean height of all peaks", "peaks above 75 % of the highest",
+    "peaks of 25 % to 75 % of the highest", "peaks below 25 % of the highest"};
+
+}  // namespace
+
+std::array<Column, input_count> condition_columns(const Model& model) {
+  std::array<Column, input_count> columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const double si_per_unit = input_names[i].si_per_unit;
+    columns[i] = {.name = condition_words[i].name,
+                  .unit = condition_words[i].unit,
+                  .meaning = condition_words[i].meaning,
+                  .low = model.inputs[i].low * si_per_unit,
+                  .high = model.inputs[i].high * si_per_unit};
+  }
+  return columns;
+}
+
+std::array<Column, output_count> statistic_columns(const Model& model) {
+  std::array<Column, output_count> columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const double si_per_unit = output_names[i].si_per_unit;
+    const Variable& variable = model.outputs[i].variable;
+    columns[i] = {.name = std::string(output_names[i].name),
+                  .unit = std::string(output_names[i].unit),
+                  .meaning = statistic_meanings[i % statistics_count],
+                  .low = variable.low * si_per_unit,
+                  .high = variable.high * si_per_unit};
+  }
+  return columns;
+}
+
+}  // namespace surrogate

@@ -1,0 +1,25 @@
+#pragma once
+/// The columns of an exported model, in SI: bitrock's own files carry the units of the field (mm, degrees), but a model
+/// that lives in somebody's simulation is fed by that simulation. Three conditions in, ten statistics out, in the order
+/// of `input_names` and `output_names`. Forces are per metre of thickness out of the plane of cutting, peaks per metre
+/// of cut.
+
+#include <array>
+#include <string>
+
+#include "surrogate/net/model.hpp"
+
+namespace surrogate {
+
+struct Column {
+  std::string name;     ///< ends in its unit
+  std::string unit;     ///< "m/s", "m", "rad", "N/m", "1/m"
+  std::string meaning;  ///< a few words
+  double low = 0.0;     ///< smallest value seen in training, in `unit`
+  double high = 0.0;    ///< largest value seen in training, in `unit`
+};
+
+std::array<Column, input_count> condition_columns(const Model& model);
+std::array<Column, output_count> statistic_columns(const Model& model);
+
+}  // namespace surrogate
