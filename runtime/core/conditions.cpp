@@ -1,0 +1,45 @@
+#include "runtime/core/conditions.hpp"
+
+namespace runtime {
+
+namespace {
+
+/// The nearest value inside the training range, as the input of the networks.
+double scaled(const ModelNumbers& model, std::size_t input, double si_value, std::int64_t& below, std::int64_t& above) {
+  const InputNumbers& numbers = model.inputs[input];
+  const double unit = surrogate::si_per_input_unit[input];
+  const double answered = surrogate::clamped_to_range(numbers.low, numbers.high, si_value, unit);
+  below += answered > si_value ? 1 : 0;
+  above += answered < si_value ? 1 : 0;
+  return (answered / unit - numbers.offset) / numbers.scale;
+}
+
+}  // namespace
+
+std::array<double, surrogate::output_count> ask(const ModelNumbers& model, const double* parameters,
+                                                const surrogate::CutConditions& conditions, ClampTally& clamps) {
+  ++clamps.asked;
+  const std::array<double, surrogate::input_count> inputs{
+      scaled(model, 0, conditions.cutter_speed, clamps.speed_below, clamps.speed_above),
+      scaled(model, 1, conditions.depth_of_cut, clamps.depth_below, clamps.depth_above),
+      scaled(model, 2, conditions.back_rake, clamps.rake_below, clamps.rake_above)};
+  std::array<double, surrogate::output_count> outputs;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const OutputNumbers& output = model.outputs[i];
+    double given = 0.0;
+    surrogate::forward({.layers = output.layers.data(),
+                        .layer_count = output.layer_count,
+                        .output = output.activation,
+                        .parameters = parameters + output.first_parameter},
+                       inputs.data(), &given);
+    outputs[i] = surrogate::from_network(output.offset, output.scale, output.log_reference, given);
+  }
+  return outputs;
+}
+
+CutterStatistics named(const std::array<double, surrogate::output_count>& o) {
+  return {.x = {.amax = o[0], .amean = o[1], .np1 = o[2], .np23 = o[3], .np4 = o[4]},
+          .y = {.amax = o[5], .amean = o[6], .np1 = o[7], .np23 = o[8], .np4 = o[9]}};
+}
+
+}  // namespace runtime

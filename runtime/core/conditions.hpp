@@ -1,0 +1,77 @@
+#pragma once
+/// What a cutter is asked to cut, and what the model says about it: from the motion of the bit to the five statistics
+/// of both directions. The model is plain numbers here, without names and history, so that it fits into the core.
+
+#include <array>
+#include <cstdint>
+#include <numbers>
+
+#include "runtime/signal/peak_statistics.hpp"
+#include "surrogate/net/evaluation.hpp"
+
+namespace runtime {
+
+/// How often the network was asked outside its training range and answered for the nearest edge instead. One count a
+/// question and reason; a question is asked per cutter and window.
+struct ClampTally {
+  std::int64_t asked = 0;
+  std::int64_t speed_below = 0, speed_above = 0;
+  std::int64_t depth_below = 0, depth_above = 0;
+  std::int64_t rake_below = 0, rake_above = 0;
+
+  std::int64_t clamped() const {
+    return speed_below + speed_above + depth_below + depth_above + rake_below + rake_above;
+  }
+};
+
+/// A bit turning slower than this is taken to turn at it when depth of cut and cutter speed are asked for: 0.6 rpm. It
+/// keeps ROP / N finite while a bit sticks, when its angle, and so its force, stands still anyway. Larger values would
+/// make the cuts of a bit that barely turns too shallow; smaller ones change nothing, as the depth is clamped.
+inline constexpr double slowest_rotation = 0.0628;  ///< [rad/s]
+
+/// **What** Conditions of one cutter when the bit turns steadily.
+/// **Equation** d = 2 pi V / omega; v = omega r.
+/// **Symbols** d [m] depth of cut; V [m/s] rate of penetration; omega [rad/s] rotation, at least `slowest_rotation`;
+/// v [m/s] cutter speed; r [m] radius of its path.
+/// **Source** [BitRock2026, sec. 3.1].
+/// **Differences and validity** Holds for one cutter a track. V small against v: the path is taken as a circle.
+inline surrogate::CutConditions cut_conditions(double path_radius, double back_rake, double rotation,
+                                               double rate_of_penetration) {
+  const double omega = rotation < slowest_rotation ? slowest_rotation : rotation;
+  return {.cutter_speed = omega * path_radius,
+          .depth_of_cut = 2.0 * std::numbers::pi * rate_of_penetration / omega,
+          .back_rake = back_rake};
+}
+
+/// One input of the model, in the unit of its file.
+struct InputNumbers {
+  double low = 0.0;   ///< of the training range
+  double high = 0.0;  ///< of the training range
+  double offset = 0.0;
+  double scale = 1.0;  ///< above 0
+};
+
+/// One output of the model; its parameters lie with those of the others, one after the other.
+struct OutputNumbers {
+  double offset = 0.0;
+  double scale = 0.0;
+  double log_reference = 0.0;
+  std::int64_t first_parameter = 0;
+  std::array<int, surrogate::most_layers> layers{};
+  int layer_count = 0;
+  surrogate::OutputActivation activation = surrogate::OutputActivation::rectified;
+};
+
+struct ModelNumbers {
+  std::array<InputNumbers, surrogate::input_count> inputs;     ///< in the order of `surrogate::input_names`
+  std::array<OutputNumbers, surrogate::output_count> outputs;  ///< in the order of `surrogate::output_names`
+};
+
+/// The model's outputs for these conditions, moved to the training range first; what was moved is counted.
+std::array<double, surrogate::output_count> ask(const ModelNumbers& model, const double* parameters,
+                                                const surrogate::CutConditions& conditions, ClampTally& clamps);
+
+/// The ten outputs by their names.
+CutterStatistics named(const std::array<double, surrogate::output_count>& outputs);
+
+}  // namespace runtime

@@ -1,0 +1,106 @@
+#pragma once
+/// A whole bit in one block of memory: what the C interface (runtime/export/bitrock_runtime.h) makes and calls, and
+/// what `BitForce` wraps. No pointers inside, so its bytes can be copied; no heap, no exceptions, no C++ library beyond
+/// its headers. The file with the law of the bit is core.cpp.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "runtime/core/active_pulses.hpp"
+#include "runtime/core/conditions.hpp"
+#include "runtime/export/bitrock_runtime.h"
+#include "runtime/laws/moving_average.hpp"
+#include "runtime/signal/cutter_force.hpp"
+
+namespace runtime {
+
+inline constexpr double most_windows = 1e15;  ///< every window number below it is an exact double
+inline constexpr std::uint64_t core_magic = 0x62697472'6f636b31ULL;
+
+struct CoreCutter {
+  double width = 0.0;                                    ///< [m]
+  double back_rake = 0.0;                                ///< [rad]
+  std::array<double, surrogate::output_count> answer{};  ///< of the model, while a window is entered
+  CutterForce force;
+};
+
+/// What a core is, then what it knows, then how far it is. Behind it in memory: `cutter_count` active cutters, as many
+/// cutters, then the parameters of the networks.
+struct alignas(16) Core {
+  std::uint64_t magic = 0;        ///< `core_magic`
+  std::uint64_t fingerprint = 0;  ///< of the description: states belong to it
+  std::int64_t cutter_count = 0;
+  std::int64_t parameter_count = 0;
+  bool wide = false;  ///< `has_wide_vectors` of the machine it was made on
+
+  SignalSettings signal;
+  ModelNumbers model;
+  double average_window = 0.0;  ///< [s]
+
+  std::int64_t window = no_window;  ///< entered last
+  double window_begin = 0.0;        ///< [rad]
+  ClampTally clamps;
+  MovingAverage rotation;             ///< [rad/s]
+  MovingAverage rate_of_penetration;  ///< [m/s]
+
+  std::int64_t fault_cutter = 0;  ///< number of the cutter whose prediction was not finite
+  std::int32_t fault_output = 0;
+};
+
+inline ActiveCutter* active_cutters(Core& core) {
+  return reinterpret_cast<ActiveCutter*>(&core + 1);
+}
+inline CoreCutter* cutters(Core& core) {
+  return reinterpret_cast<CoreCutter*>(active_cutters(core) + core.cutter_count);
+}
+inline const CoreCutter* cutters(const Core& core) {
+  return cutters(const_cast<Core&>(core));
+}
+inline double* parameters(Core& core) {
+  return reinterpret_cast<double*>(cutters(core) + core.cutter_count);
+}
+
+/// Everything that can be wrong with a description. Sets the parameters its networks have.
+bitrock_status check(const bitrock_description& description, std::int64_t& parameter_count);
+
+/// Of the address of a core: both directions of a pulse are read at once.
+inline constexpr std::size_t core_alignment = 16;
+
+std::size_t core_bytes(const bitrock_description& description, std::int64_t parameter_count);
+
+/// `memory` holds `core_bytes` and the description has passed `check`.
+Core* make_core(void* memory, const bitrock_description& description, std::int64_t parameter_count);
+
+/// Nothing that was felt is right any more: windows have been entered or restored.
+void forget_active(Core& core);
+
+/// Back to the beginning: nothing drawn, nothing counted, nothing averaged.
+void reset(Core& core);
+
+/// **What** Load on the bit.
+/// **Equation** W(theta) = sum_i F_y,i(theta) w_i; T(theta) = sum_i F_x,i(theta) w_i r_i, i in the order of the bit.
+/// **Symbols** F_x,i, F_y,i [N/m] force on cutter i per metre of width (`cutter_force.hpp`); w_i [m]; r_i [m].
+/// **Source** [BitRock2026, sec. 3.3]: superposition and arm. The width is ours: the article does not say how
+/// the force of a two-dimensional simulation, which is per metre of thickness, becomes a force.
+/// **Differences and validity** Cutters do not feel each other. Without friction under worn cutters the mean torque of
+/// a bit whose rings cover the face, each resisted by eps w d, is eps a^2 d / 2 [DetournayDefourny1992]. Conditions are
+/// asked for when the angle enters a window and hold for the window after it (see `enter_window`). ROP not above 0
+/// means nothing is cut: windows drawn then are empty. Any other ROP, however small, is clamped to the shallowest cut
+/// the network knows, so the force does not vanish with the depth.
+bitrock_status update(Core& core, double angle, double rotation, double rate_of_penetration, bitrock_load& load);
+
+/// Vectors of four numbers; with two the bits are the same.
+bool has_wide_vectors();
+
+/// Sum over the cutters.
+DrawTally draws(const Core& core);
+
+std::size_t state_bytes(const Core& core);
+
+/// `state` holds `state_bytes`.
+void save(const Core& core, void* state);
+
+/// False, and nothing changed, when the bytes are not of `save` of a core of the same description.
+bool restore(Core& core, const void* state);
+
+}  // namespace runtime

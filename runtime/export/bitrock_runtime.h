@@ -1,0 +1,185 @@
+#ifndef BITROCK_RUNTIME_H
+#define BITROCK_RUNTIME_H
+/* Force and torque of the rock on a PDC bit, for whoever simulates what turns it: a C99 interface to bitrock's runtime.
+ *
+ * The core lies in one block of memory that the caller gives. It takes no memory itself, opens no file, prints nothing,
+ * keeps no globals and needs nothing but libm: link libbitrock_runtime.so, or the static library, into an FMU, an
+ * S-function or a user subroutine. Two cores know nothing of each other; one core is for one thread at a time.
+ *
+ *   size_t bytes;                                            // 1. ask how much memory
+ *   bitrock_core_size(&description, &bytes);
+ *   bitrock_core *core;                                      // 2. make the core in it; the description may go then
+ *   bitrock_core_create(malloc(bytes), bytes, &description, &core);
+ *   bitrock_core_update(core, angle, rotation, rop, &load);  // 3. at every evaluation, also those a solver rejects
+ *   bitrock_core_accept(core, time, rotation, rop);          // 4. if averages are wanted: at the end of every accepted
+ *   bitrock_core_averages(core, &rotation, &rop);            //    step; these then go into the updates that follow
+ *
+ * SI throughout; the only other units are those of the model's inputs, as in a model file.
+ *
+ * What holds
+ * - Peaks are drawn window by window (theta_T of rotation). A window is drawn once, when it comes into reach, which is
+ *   one window before it begins, for the rotation and rate of penetration of that call of `update` (the first call
+ *   draws three windows); later changes wait for the next window. Within drawn windows the load depends on the angle
+ *   alone, to the last bit: neither on step size, nor on the order of calls, nor on the rates.
+ * - So at constant rates every sequence of angles gives the same bits at the same angle. While rates change, two runs
+ *   agree to the last bit as long as each window came into reach at the same rates in both; a run with other steps
+ *   enters windows at other moments, hence at slightly other rates, and differs by what the model makes of that.
+ * - Going back is free of surprises as far as the window before the one that was reached. Further back, windows that
+ *   are no longer kept are drawn anew, with their peaks at the same angles, but for the rates of that call.
+ * - A window that a rejected step brought into reach stays as it was drawn. To undo that too, `save` before the step
+ *   and `restore` after rejecting it: what follows has the same bits as if the step had not been tried.
+ * - The load is twice continuously differentiable in the angle, over the edges of windows too.
+ * - A call that returns anything but BITROCK_OK has changed nothing, neither the core nor what its results point to
+ *   (BITROCK_BAD_PREDICTION leaves a note for bitrock_core_fault).
+ */
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define BITROCK_API __declspec(dllexport)
+#elif defined(__GNUC__)
+#define BITROCK_API __attribute__((visibility("default")))
+#else
+#define BITROCK_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Grows when a function, a structure or the meaning of one changes. */
+#define BITROCK_RUNTIME_VERSION 1
+
+typedef enum {
+  BITROCK_OK = 0,
+  BITROCK_NULL_POINTER = 1,      /* an argument that must point somewhere */
+  BITROCK_BAD_MEMORY = 2,        /* too small, or not on an address divisible by 16 */
+  BITROCK_NOT_A_CORE = 3,        /* memory that `create` did not fill */
+  BITROCK_BAD_SIGNAL = 4,        /* window, pulse width, word or averaging time out of range */
+  BITROCK_BAD_CUTTER = 5,        /* no cutter, or a radius or width not above 0, or a rake not finite */
+  BITROCK_BAD_MODEL = 6,         /* layers, a scale or a range that cannot be, or a number that is not finite */
+  BITROCK_NOT_FINITE = 7,        /* angle, rotation, rate of penetration or time is infinite or not a number */
+  BITROCK_ANGLE_TOO_LARGE = 8,   /* beyond 1e15 windows, where they can no longer be told apart */
+  BITROCK_BAD_PREDICTION = 9,    /* the model answered with a number that is not finite: see bitrock_core_fault */
+  BITROCK_TIME_NOT_LATER = 10,   /* an accepted step must end after the one before */
+  BITROCK_NOTHING_ACCEPTED = 11, /* no step yet, so no averages */
+  BITROCK_BAD_STATE = 12         /* bytes that `save` of a core of the same description did not write */
+} bitrock_status;
+
+/* One cutter a track: each removes the whole advance of one turn on its own ring. */
+typedef struct {
+  double radius_m;      /* of the circle its middle runs on, above 0 */
+  double width_m;       /* effective, above 0; turns force per metre into force */
+  double back_rake_rad; /* tilt of the face against the normal of the rock, positive leaning back */
+  int64_t number; /* part of the address of its random draws, within 32 bits: different cutters, different numbers */
+} bitrock_cutter;
+
+enum { BITROCK_COMBINE_SUM = 0, BITROCK_COMBINE_MAX = 1 };         /* overlapping peaks: see signal/pulse_train.hpp */
+enum { BITROCK_FIT_BAND_PRESERVING = 0, BITROCK_FIT_ARTICLE = 1 }; /* heights: see signal/peak_amplitudes.hpp */
+enum { BITROCK_RECTIFIED = 0, BITROCK_SOFTPLUS = 1, BITROCK_LINEAR = 2 }; /* last layer: see surrogate/net */
+
+typedef struct {
+  double window_angle_rad;   /* theta_T, above 0; pi / 3 is bitrock's default */
+  double pulse_width_factor; /* f [1], above 0 and at most 2; 1 is the default */
+  int32_t combine;           /* BITROCK_COMBINE_... */
+  int32_t amplitude_fit;     /* BITROCK_FIT_... */
+  uint64_t seed;             /* of all draws */
+  double average_window_s;   /* of `averages`, above 0; 0.1 in the source article */
+} bitrock_signal;
+
+/* scaled = (value - offset) / scale, all in the unit of the model file: m/s, mm, deg. */
+typedef struct {
+  double low, high; /* training range: conditions outside are moved to its edge and counted */
+  double offset;
+  double scale; /* above 0 */
+} bitrock_input;
+
+/* y = offset + scale g for what the network gives, g; or y = y_0 (exp(offset + scale g) - 1) with a log_reference y_0
+ * above 0. Negative y become 0. */
+typedef struct {
+  double offset, scale;     /* finite; of the logarithm where there is a log_reference */
+  double log_reference;     /* y_0, or 0 */
+  const double* parameters; /* for k = 1..K: weights W[k] row by row (n[k] x n[k-1]), then biases b[k] (n[k]) */
+  const int32_t* layers;    /* n[0] = 3, n[1], ..., n[K] = 1; each at most 64 */
+  int32_t layer_count;      /* K + 1, from 2 to 16 */
+  int32_t output_activation;
+} bitrock_output;
+
+typedef struct {
+  bitrock_input inputs[3];    /* cutter speed [m/s], depth of cut [mm], back rake [deg] */
+  bitrock_output outputs[10]; /* amax [N/m], amean [N/m], np1, np23, np4 [1/m of cut]: five of x (cutting direction),
+                                 five of y (axial direction) */
+} bitrock_model;
+
+typedef struct {
+  bitrock_signal signal;
+  bitrock_model model;
+  const bitrock_cutter* cutters;
+  int64_t cutter_count; /* 1 to 1000 */
+} bitrock_description;
+
+/* Of the rock on the bit; resistance to drilling is positive. */
+typedef struct {
+  double axial_force_N; /* pushes the bit off the rock */
+  double torque_N_m;    /* resists its rotation */
+} bitrock_load;
+
+/* How often a wish could not be granted since the core was made (or the state was saved that was restored). */
+typedef struct {
+  int64_t asked; /* questions to the model: one for each cutter and window */
+  int64_t speed_below, speed_above, depth_below, depth_above, rake_below, rake_above; /* moved to the training range */
+  int64_t drawn;                                    /* windows with at least one peak, for each cutter and direction */
+  int64_t mean_missed, band_left, narrowed, capped; /* see DrawTally in signal/cutter_force.hpp */
+} bitrock_tally;
+
+typedef struct bitrock_core bitrock_core;
+
+/* BITROCK_RUNTIME_VERSION of the library. */
+BITROCK_API int32_t bitrock_runtime_version(void);
+
+/* A sentence on a status, in English; never null. */
+BITROCK_API const char* bitrock_status_text(bitrock_status status);
+
+/* Checks the description; how much memory its core takes: some 0.3 MB a cutter. */
+BITROCK_API bitrock_status bitrock_core_size(const bitrock_description* description, size_t* bytes);
+
+/* Makes a core in `memory`, on an address divisible by 16. Copies all it needs out of the description. A core holds no
+ * pointers: its bytes may be moved or copied to other memory, where they are a core too. */
+BITROCK_API bitrock_status bitrock_core_create(void* memory, size_t bytes, const bitrock_description* description,
+                                               bitrock_core** core);
+
+/* Back to what `create` made. */
+BITROCK_API bitrock_status bitrock_core_reset(bitrock_core* core);
+
+/* Load on the bit at an angle it has turned forward while cutting, at this rotation and rate of penetration into the
+ * rock. A rotation below 0.0628 rad/s, also a negative one, counts as 0.0628 rad/s when a window is drawn; a rate of
+ * penetration of 0 or less gives windows without peaks. */
+BITROCK_API bitrock_status bitrock_core_update(bitrock_core* core, double angle_rad, double rotation_rad_per_s,
+                                               double rate_of_penetration_m_per_s, bitrock_load* load);
+
+/* Takes the end of an accepted step into the moving averages of rotation and rate of penetration. Steps may have any
+ * length, and it may change. */
+BITROCK_API bitrock_status bitrock_core_accept(bitrock_core* core, double time_s, double rotation_rad_per_s,
+                                               double rate_of_penetration_m_per_s);
+
+/* Means over the last average_window_s before the last accepted step, weighted by time; at first over what there
+ * is. */
+BITROCK_API bitrock_status bitrock_core_averages(const bitrock_core* core, double* rotation_rad_per_s,
+                                                 double* rate_of_penetration_m_per_s);
+
+BITROCK_API bitrock_status bitrock_core_tally(const bitrock_core* core, bitrock_tally* tally);
+
+/* After BITROCK_BAD_PREDICTION: the number of the cutter that was asked about, and which output (0..9) answered so. */
+BITROCK_API bitrock_status bitrock_core_fault(const bitrock_core* core, int64_t* cutter_number, int32_t* output);
+
+/* The whole state as bytes: some 13 kB and 0.4 kB a cutter. They may be kept, copied and written to a file, and are
+ * good for every core of the same description on a machine of the same byte order; a checksum guards them. */
+BITROCK_API bitrock_status bitrock_core_state_size(const bitrock_core* core, size_t* bytes);
+BITROCK_API bitrock_status bitrock_core_save(const bitrock_core* core, void* state, size_t bytes);
+BITROCK_API bitrock_status bitrock_core_restore(bitrock_core* core, const void* state, size_t bytes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
