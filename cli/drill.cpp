@@ -1,0 +1,262 @@
+// bitrock drill: a drill string on the rock that the networks describe, and its natural frequencies.
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "cli/command.hpp"
+#include "runtime/drillstring/drill_file.hpp"
+#include "runtime/drillstring/modes.hpp"
+#include "surrogate/net/model_file.hpp"
+
+namespace cli {
+
+namespace {
+
+constexpr double rpm = 2.0 * std::numbers::pi / 60.0;  // [rad/s]
+
+struct Options {
+  CommonOptions common;
+  std::string case_file, model_file, output;
+  int seed = -1;
+};
+
+std::string listed(const std::vector<double>& frequencies) {
+  std::string text;
+  for (std::size_t i = 0; i < frequencies.size() && i < 6; ++i)
+    text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", frequencies[i]);
+  return frequencies.size() > 6 ? text + ", ..." : text;
+}
+
+/// Closed forms there are for this string; null where there is none.
+nlohmann::json closed_forms(const runtime::DrillCase& drill) {
+  nlohmann::json forms{
+      {"axial_continuous_Hz", nullptr}, {"torsional_continuous_Hz", nullptr}, {"equal_lumps_Hz", nullptr}};
+  if (drill.pipes.size() != 1) return forms;
+  const runtime::PipeSection& pipe = drill.pipes.front();
+  const double axial_speed = std::sqrt(pipe.youngs_modulus * area(pipe) / mass_per_length(pipe));
+  const double torsional_speed = std::sqrt(pipe.shear_modulus / pipe.density);
+  forms["axial_continuous_Hz"] = runtime::continuous_frequency(axial_speed, pipe.length, 1);
+  forms["torsional_continuous_Hz"] = runtime::continuous_frequency(torsional_speed, pipe.length, 1);
+  const runtime::Chain equal = runtime::torsional_chain(drill.pipes, drill.torsional_lumps, runtime::Lumping::end,
+                                                        drill.torsional_damping_ratio);
+  std::vector<double> frequencies;
+  for (int k = 1; k <= drill.torsional_lumps; ++k)
+    frequencies.push_back(
+        runtime::equal_lumps_frequency(equal.stiffness[0], equal.inertia[0], drill.torsional_lumps, k));
+  forms["equal_lumps_Hz"] = frequencies;
+  return forms;
+}
+
+/// Whether small vibrations about steady rotation die, as far as friction at the static weight on bit decides.
+nlohmann::json steadiness(const runtime::DrillString& string) {
+  const double weight = runtime::static_weight_on_bit(string), rotation = string.drive.rotation;
+  if (!string.drive.imposes_speed || rotation == 0.0 || string.bit.friction.law == runtime::FrictionLaw::none)
+    return nullptr;
+  const double slope = string.bit.friction.law == runtime::FrictionLaw::smooth
+                           ? friction_slope(string.bit.friction.smooth, rotation)
+                           : friction_slope(string.bit.friction.stribeck, rotation);
+  const double demand = std::max(0.0, -weight * string.bit.friction_radius * slope);
+  const double damping = runtime::equivalent_damping(string.torsional);
+  return {{"equivalent_damping_N_m_s_per_rad", damping},
+          {"friction_demand_N_m_s_per_rad", demand},
+          {"stable", demand < damping}};
+}
+
+void show_modes(const Options& options) {
+  const runtime::DrillCase drill = runtime::read_drill_case(options.case_file);
+  const runtime::DrillString string = runtime::assemble(drill);
+  require_outputs(options.common, {options.case_file, drill.bit_file}, {});
+  std::vector<double> on_bottom, off_bottom;
+  if (string.axial.size() > 0) {
+    on_bottom = runtime::natural_frequencies(string.axial, runtime::axial_support(string));
+    off_bottom = runtime::natural_frequencies(string.axial);
+  }
+  const std::vector<double> torsional = runtime::natural_frequencies(string.torsional);
+  const nlohmann::json forms = closed_forms(drill), steady = steadiness(string);
+  say(options.common, "{}\n", drill.name);
+  if (!on_bottom.empty()) {
+    say(options.common, "axial, bit on rock:   {} Hz\naxial, bit off bottom: {} Hz\n", listed(on_bottom),
+        listed(off_bottom));
+  }
+  say(options.common, "torsional, bit free:  {} Hz\n", listed(torsional));
+  if (!forms["torsional_continuous_Hz"].is_null()) {
+    say(options.common,
+        "closed forms for the pipe alone: continuous, free at the bit: axial {:.4g}, torsional {:.4g} Hz; equal "
+        "lumps: {} Hz\n",
+        forms["axial_continuous_Hz"].get<double>(), forms["torsional_continuous_Hz"].get<double>(),
+        listed(forms["equal_lumps_Hz"].get<std::vector<double>>()));
+  }
+  if (!steady.is_null()) {
+    say(options.common,
+        "steady rotation at {:.4g} rpm: friction takes {:.3g} N m s/rad of damping, the string has {:.3g}: {}\n",
+        string.drive.rotation / rpm, steady["friction_demand_N_m_s_per_rad"].get<double>(),
+        steady["equivalent_damping_N_m_s_per_rad"].get<double>(),
+        steady["stable"].get<bool>() ? "stable" : "not stable");
+  }
+  write_json(options.common, {{"axial_Hz", on_bottom},
+                              {"axial_off_bottom_Hz", off_bottom},
+                              {"torsional_Hz", torsional},
+                              {"closed_forms", forms},
+                              {"steady_rotation", steady},
+                              {"longest_stable_step_s", runtime::longest_stable_step(string)}});
+}
+
+/// The model of the case or the flag; nothing where the source needs none.
+std::optional<surrogate::Model> model_of(const Options& options, runtime::DrillCase& drill) {
+  if (!options.model_file.empty()) drill.source.model_file = options.model_file;
+  if (drill.source.kind != runtime::SourceKind::bit) {
+    if (!options.model_file.empty()) warn(options.common, "the source of the case is not 'bit': --model is not used");
+    drill.source.model_file.clear();
+    return std::nullopt;
+  }
+  if (drill.source.model_file.empty()) return std::nullopt;
+  surrogate::Model model = surrogate::read_model(drill.source.model_file);
+  if (!drill.rock.empty() && model.rock != drill.rock) {
+    warn(options.common,
+         fmt::format("the case is about the rock '{}', the model {}", drill.rock,
+                     model.rock.empty() ? "does not say of which rock it is" : fmt::format("is of '{}'", model.rock)));
+  }
+  return model;
+}
+
+nlohmann::json as_json(const runtime::Spread& spread, double unit) {
+  return {{"mean", spread.mean / unit},
+          {"sd", spread.deviation / unit},
+          {"min", spread.lowest / unit},
+          {"max", spread.highest / unit}};
+}
+
+nlohmann::json summary_json(const runtime::DrillSummary& s) {
+  const runtime::ClampTally& clamps = s.clamps;
+  return {{"bit_rotation_rpm", as_json(s.bit_rotation, rpm)},
+          {"weight_on_bit_N", as_json(s.weight_on_bit, 1.0)},
+          {"total_force_N", as_json(s.total_force, 1.0)},
+          {"torque_on_bit_N_m", as_json(s.torque, 1.0)},
+          {"source_force_N", as_json(s.source_force, 1.0)},
+          {"source_torque_N_m", as_json(s.source_torque, 1.0)},
+          {"rop_m_per_h", as_json(s.rop, 1.0 / 3600.0)},
+          {"static_weight_on_bit_N", s.static_weight_on_bit},
+          {"severity", s.severity},
+          {"share_at_rest", s.share_at_rest},
+          {"share_backwards", s.share_backwards},
+          {"share_off_bottom", s.share_off_bottom},
+          {"drilled_m", s.drilled},
+          {"energy_residual_fraction", s.energy_residual},
+          {"clamped",
+           {{"asked", clamps.asked},
+            {"speed_below", clamps.speed_below},
+            {"speed_above", clamps.speed_above},
+            {"depth_below", clamps.depth_below},
+            {"depth_above", clamps.depth_above},
+            {"rake_below", clamps.rake_below},
+            {"rake_above", clamps.rake_above}}},
+          {"windows",
+           {{"drawn", s.draws.drawn},
+            {"mean_missed", s.draws.mean_missed},
+            {"narrowed", s.draws.narrowed},
+            {"capped", s.draws.capped}}}};
+}
+
+void print(const Options& options, const runtime::DrillCase& drill, const runtime::DrillRun& run) {
+  const runtime::DrillSummary& s = run.summary;
+  const auto line = [&](const char* name, const char* unit, const runtime::Spread& spread, double factor) {
+    say(options.common, "{:22} mean {:10.4g}  min {:10.4g}  max {:10.4g} {}\n", name, spread.mean / factor,
+        spread.lowest / factor, spread.highest / factor, unit);
+  };
+  say(options.common, "{}: {:g} s in {} steps of {:.3g} ms\n", drill.name, drill.run.duration, run.steps,
+      run.step * 1e3);
+  line("bit rotation", "rpm", s.bit_rotation, rpm);
+  line("weight on bit", "kN", s.weight_on_bit, 1e3);
+  line("rock on bit in all", "kN", s.total_force, 1e3);
+  line("torque on bit", "N m", s.torque, 1.0);
+  line("rate of penetration", "m/h", s.rop, 1.0 / 3600.0);
+  say(options.common,
+      "static weight on bit {:.4g} kN; stick-slip severity {:.3g}; bit at rest {:.3g} %, backwards {:.3g} %, off "
+      "bottom {:.3g} % "
+      "of the time; drilled {:.4g} mm\n",
+      s.static_weight_on_bit * 1e-3, s.severity, 100.0 * s.share_at_rest, 100.0 * s.share_backwards,
+      100.0 * s.share_off_bottom, s.drilled * 1e3);
+  if (s.clamps.clamped() > 0) {
+    say(options.common,
+        "outside the training range, answered for its edge: speed too low {}, too high {}; depth too low {}, too high "
+        "{}; rake "
+        "too low {}, too high {} (of {} questions)\n",
+        s.clamps.speed_below, s.clamps.speed_above, s.clamps.depth_below, s.clamps.depth_above, s.clamps.rake_below,
+        s.clamps.rake_above, s.clamps.asked);
+  }
+  say(options.common, "energy lost by the solver {:.2g} %; {:.0f} times real time -> {}\n", 100.0 * s.energy_residual,
+      drill.run.duration / run.wall_time, options.output);
+}
+
+void print_plan(const Options& options, const runtime::DrillCase& drill, const runtime::DrillString& string) {
+  const double longest = runtime::longest_stable_step(string), step = runtime::step_of(drill.run);
+  const double steps = drill.run.duration / step, weight = runtime::static_weight_on_bit(string);
+  say(options.common,
+      "{}: static weight on bit {:.4g} kN, step {:.4g} ms (stable up to {:.4g} ms), {:.0f} steps, {:.0f} rows\n",
+      drill.name, weight * 1e-3, step * 1e3, longest * 1e3, steps, drill.run.duration / drill.run.sample);
+  write_json(options.common, {{"static_weight_on_bit_N", weight},
+                              {"step_s", step},
+                              {"longest_stable_step_s", longest},
+                              {"steps", steps},
+                              {"rows", std::floor(drill.run.duration / drill.run.sample) + 1.0}});
+}
+
+void run(const Options& options) {
+  runtime::DrillCase drill = runtime::read_drill_case(options.case_file);
+  if (options.seed >= 0) drill.source.seed = options.seed;
+  const runtime::DrillString string = runtime::assemble(drill);
+  for (const std::string& warning : runtime::warnings(drill, string)) warn(options.common, warning);
+  const std::optional<surrogate::Model> model = model_of(options, drill);
+  const runtime::DrillSource source = runtime::make_source(drill, model);
+  runtime::require_stable(drill, string);
+  const std::vector<std::filesystem::path> inputs{options.case_file, drill.bit_file, drill.source.model_file};
+  if (options.common.check) {
+    require_outputs(options.common, inputs, {});
+    return print_plan(options, drill, string);
+  }
+  require_outputs(options.common, inputs, {options.output});
+  runtime::DrillRun result;
+  {
+    Progress progress(options.common, "drilling", "s");
+    result = runtime::run_drill(drill, string, source, progress.callback());
+  }
+  const std::string fingerprint = model ? base::fingerprint_text(base::read_whole(drill.source.model_file)) : "";
+  runtime::write_drill_run(result, drill, fingerprint, options.output);
+  print(options, drill, result);
+  write_json(options.common, {{"summary", summary_json(result.summary)},
+                              {"step_s", result.step},
+                              {"steps", result.steps},
+                              {"duration_s", drill.run.duration},
+                              {"wall_s", result.wall_time},
+                              {"times_real_time", drill.run.duration / result.wall_time}});
+}
+
+}  // namespace
+
+void add_drill(CLI::App& app) {
+  CLI::App* drill = app.add_subcommand("drill", "a drill string on rock: vibrations in time, natural frequencies");
+  drill->require_subcommand(1);
+
+  auto options = std::make_shared<Options>();
+  CLI::App* command = drill->add_subcommand("run", "simulate the case");
+  command->add_option("case", options->case_file, "drilling case, e.g. campaigns/drill/normal.toml")->required();
+  command->add_option("--model", options->model_file, "model.json, instead of the one the case names")
+      ->check(not_empty());
+  command->add_option("--seed", options->seed, "of the excitation, instead of the one the case names")
+      ->check(CLI::Range(0, 2147483647));
+  command->add_option("-o,--output", options->output, "file to write (.h5)")->default_val("drill.h5");
+  add_common(*command, options->common);
+  command->add_flag("--check", options->common.check, "read the input, print what follows from it, and stop");
+  command->callback([options] { run(*options); });
+
+  auto shown = std::make_shared<Options>();
+  CLI::App* modes = drill->add_subcommand("modes", "natural frequencies of the string");
+  modes->add_option("case", shown->case_file, "drilling case")->required();
+  add_common(*modes, shown->common);
+  modes->callback([shown] { show_modes(*shown); });
+}
+
+}  // namespace cli

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
+#include "runtime/drillstring/drill_case.hpp"
+#include "runtime/laws/bit_inertia.hpp"
+#include "runtime/laws/hydraulic_force.hpp"
+
+namespace runtime {
+
+namespace {
+
+constexpr double kN = 1e3, ms = 1e-3;
+
+/// Lists as a file gives them, with the missing first spring and wall dampings.
+Chain completed(Chain chain) {
+  if (chain.size() == 0) return chain;
+  if (chain.stiffness.size() + 1 == chain.size()) {
+    chain.stiffness.insert(chain.stiffness.begin(), 0.0);
+    chain.damping.insert(chain.damping.begin(), 0.0);
+  }
+  chain.wall_damping.resize(chain.size(), 0.0);
+  return chain;
+}
+
+double mean_radius(const Bit& bit) {
+  double sum = 0.0;
+  for (const Cutter& cutter : bit.cutters) sum += cutter.radius;
+  return sum / static_cast<double>(bit.cutters.size());
+}
+
+void put_drive_on_top(Chain& chain, double inertia, double damping) {
+  chain.inertia.insert(chain.inertia.begin(), inertia);
+  chain.stiffness.insert(chain.stiffness.begin(), 0.0);
+  chain.damping.insert(chain.damping.begin(), 0.0);
+  chain.wall_damping.insert(chain.wall_damping.begin(), damping);
+}
+
+/// Steepest positive slope of the friction at the bit [N m s/rad]: it acts like a damper on the step.
+double steepest_friction(const DrillString& string, double weight) {
+  if (string.bit.friction.law != FrictionLaw::smooth) return 0.0;
+  return weight * string.bit.friction_radius * friction_slope(string.bit.friction.smooth, 0.0);
+}
+
+BitSupport torsional_support(const DrillString& string) {
+  return {.stiffness = string.bit.fracture_stiffness,
+          .damping = steepest_friction(string, static_weight_on_bit(string))};
+}
+
+}  // namespace
+
+DrillString assemble(const DrillCase& drill) {
+  DrillString string;
+  if (drill.pipes.empty()) {
+    string.axial = completed(drill.axial);
+    string.torsional = completed(drill.torsional);
+    for (const double mass : string.axial.inertia) string.weights.push_back(gravity * mass);
+  } else {
+    string.axial = axial_chain(drill.pipes, drill.axial_lumps, drill.lumping, drill.axial_damping_ratio);
+    string.torsional =
+        torsional_chain(drill.pipes, drill.torsional_lumps, drill.lumping, drill.torsional_damping_ratio);
+    string.weights = lump_weights(drill.pipes, drill.axial_lumps, drill.fluid_density);
+  }
+  string.bit = drill.bit_rock;
+  const bool has_bit = !drill.bit.cutters.empty();
+  if (string.bit.friction_radius == 0.0 && has_bit) string.bit.friction_radius = mean_radius(drill.bit);
+  if (string.axial.size() > 0) {
+    string.axial.inertia.back() += drill.bit_mass;
+    string.weights.back() += gravity * drill.bit_mass;
+  }
+  const bool as_cylinder = drill.bit_inertia == 0.0 && has_bit;
+  string.torsional.inertia.back() +=
+      as_cylinder ? bit_inertia(drill.bit_mass, 0.5 * drill.bit.diameter) : drill.bit_inertia;
+  string.torsional.wall_damping.back() += drill.bit_damping;
+
+  string.drive = drill.drive;
+  string.wall_friction = drill.wall_friction;
+  if (drill.wall_friction.law != FrictionLaw::none) {
+    for (const double force : drill.wall_force) string.wall_moment.push_back(force * drill.wall_radius);
+  }
+  if (!drill.drive.imposes_speed) {
+    put_drive_on_top(string.torsional, drill.drive_inertia, drill.drive_damping);
+    if (!string.wall_moment.empty()) string.wall_moment.insert(string.wall_moment.begin(), 0.0);
+  }
+  string.bit.hydraulic_force =
+      hydraulic_force(drill.pressure_drop, drill.nozzle_area, drill.jets_push_up ? JetForce::up : JetForce::down);
+  return string;
+}
+
+std::vector<std::string> warnings(const DrillCase& drill, const DrillString& string) {
+  std::vector<std::string> found;
+  const double weight = static_weight_on_bit(string);
+  if (string.axial.size() > 0 && weight == 0.0) {
+    found.push_back("hook load and jets carry the whole string: the bit will leave the rock and not come back");
+  } else if (weight <= string.bit.threshold_weight) {
+    found.push_back(
+        fmt::format("static weight on bit {:.4g} kN does not exceed threshold_weight_kN = {:.4g}: nothing is cut",
+                    weight / kN, string.bit.threshold_weight / kN));
+  }
+  if (drill.drive.imposes_speed && drill.drive.rotation == 0.0)
+    found.push_back("rotation_rpm = 0: the string does not turn, nothing is cut");
+  if (drill.source.kind == SourceKind::bit && string.axial.size() == 0)
+    found.push_back("without an axial chain the source's axial force has nothing to act on");
+  return found;
+}
+
+BitSupport axial_support(const DrillString& string) {
+  return {.stiffness = string.bit.contact.stiffness, .damping = string.bit.contact.damping};
+}
+
+double longest_stable_step(const DrillString& string) {
+  double longest = longest_stable_step(string.torsional, torsional_support(string));
+  if (string.axial.size() > 0) longest = std::min(longest, longest_stable_step(string.axial, axial_support(string)));
+  return longest;
+}
+
+void require_stable(const DrillCase& drill, const DrillString& string) {
+  const double step = drill.run.step;
+  if (is_stable_step(string.torsional, torsional_support(string), step) &&
+      (string.axial.size() == 0 || is_stable_step(string.axial, axial_support(string), step)))
+    return;
+  const double longest = longest_stable_step(string);
+  throw base::InputError(
+      fmt::format("{}: run.step_ms = {:.6g} (must be at most {:.4g}: the fastest vibration of string and "
+                  "rock would grow without limit; a tenth of that is accurate)",
+                  drill.name, drill.run.step / ms, longest / ms));
+}
+
+}  // namespace runtime

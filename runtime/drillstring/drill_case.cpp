@@ -1,0 +1,342 @@
+#include "runtime/drillstring/drill_case.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/errors.hpp"
+#include "base/units.hpp"
+
+namespace runtime {
+
+namespace {
+
+using base::any, base::at_least, base::between, base::deg, base::GPa, base::mm, base::MPa, base::positive;
+
+constexpr double rpm = 2.0 * std::numbers::pi / 60.0, kN = 1e3, ms = 1e-3, mm2 = 1e-6;
+constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
+
+/// Words of the file on their way to enumerations.
+struct Words {
+  std::string lumping = "middle", imposes = "speed", jets = "up", friction = "smooth", wall = "none", advance = "root";
+  std::string unloading = "free", axial_source = "full", source = "none", start = "turning";
+};
+
+template <class Enum, std::size_t n>
+using Meanings = std::array<std::pair<const char*, Enum>, n>;
+
+constexpr Meanings<Lumping, 2> lumpings{{{"middle", Lumping::middle}, {"end", Lumping::end}}};
+constexpr Meanings<bool, 2> imposed{{{"speed", true}, {"torque", false}}};
+constexpr Meanings<bool, 2> directions{{{"up", true}, {"down", false}}};
+constexpr Meanings<FrictionLaw, 3> friction_laws{
+    {{"none", FrictionLaw::none}, {"smooth", FrictionLaw::smooth}, {"stribeck", FrictionLaw::stribeck}}};
+constexpr Meanings<AdvanceLaw, 3> advance_laws{
+    {{"none", AdvanceLaw::none}, {"root", AdvanceLaw::root}, {"regularized", AdvanceLaw::regularized}}};
+constexpr Meanings<Unloading, 2> unloadings{{{"free", Unloading::free}, {"elastic", Unloading::elastic}}};
+constexpr Meanings<AxialSource, 3> axial_sources{
+    {{"full", AxialSource::full}, {"fluctuation", AxialSource::fluctuation}, {"none", AxialSource::none}}};
+constexpr Meanings<SourceKind, 4> sources{{{"none", SourceKind::none},
+                                           {"sinusoidal", SourceKind::sinusoidal},
+                                           {"noise", SourceKind::noise},
+                                           {"bit", SourceKind::bit}}};
+constexpr Meanings<bool, 2> starts{{{"turning", true}, {"rest", false}}};
+
+template <class Enum, std::size_t n>
+Enum meaning_of(const base::ConfigFile& file, const char* section, const char* key, const std::string& word,
+                const Meanings<Enum, n>& meanings) {
+  std::string allowed;
+  for (const auto& [name, value] : meanings) {
+    if (word == name) return value;
+    allowed += fmt::format("{}'{}'", allowed.empty() ? "" : ", ", name);
+  }
+  file.refuse(section, key, "must be one of " + allowed);
+}
+
+template <class Enum, std::size_t n>
+std::string word_of(Enum value, const Meanings<Enum, n>& meanings) {
+  for (const auto& [name, meaning] : meanings) {
+    if (meaning == value) return name;
+  }
+  return "";
+}
+
+base::Section describe(PipeSection& pipe) {
+  const base::Range density = between(100.0, 1e5);
+  return {"pipe",
+          {{"length_m", &pipe.length, 1.0, positive(), "of the section", true},
+           {"outer_diameter_mm", &pipe.outer_diameter, mm, positive(), "of the pipe body", true},
+           {"inner_diameter_mm", &pipe.inner_diameter, mm, at_least(0.0), "of the pipe body", true},
+           {"youngs_modulus_GPa", &pipe.youngs_modulus, GPa, positive(), "of the steel"},
+           {"shear_modulus_GPa", &pipe.shear_modulus, GPa, positive(), "of the steel"},
+           {"density_kg_per_m3", &pipe.density, 1.0, density, "of the steel"},
+           {"linear_mass_kg_per_m", &pipe.linear_mass, 1.0, at_least(0.0), "with tool joints; 0: of the body"}}};
+}
+
+base::Section describe_string(DrillCase& drill, Words& words) {
+  const base::Range ratio = between(0.0, 1.0), lumps = between(1, 200);
+  return {"string",
+          {{"axial_lumps", &drill.axial_lumps, 1.0, lumps, "masses the string is cut into"},
+           {"torsional_lumps", &drill.torsional_lumps, 1.0, lumps, "inertias the string is cut into"},
+           {"lumping", &words.lumping, 1.0, any(), "where a lump sits in its stretch: 'middle' or 'end'"},
+           {"axial_damping_ratio", &drill.axial_damping_ratio, 1.0, ratio, "of each pair: c = 2 zeta sqrt(K m)"},
+           {"torsional_damping_ratio", &drill.torsional_damping_ratio, 1.0, ratio, "of each pair"}}};
+}
+
+base::Section describe_axial(Chain& chain) {
+  return {"axial",
+          {{"mass_kg", &chain.inertia, 1.0, positive(), "of each lump, from top to bottom"},
+           {"stiffness_N_per_m", &chain.stiffness, 1.0, positive(), "of the springs between them: one less"},
+           {"damping_N_s_per_m", &chain.damping, 1.0, at_least(0.0), "of the dampers beside the springs"}}};
+}
+
+base::Section describe_torsion(Chain& chain) {
+  return {"torsion",
+          {{"inertia_kg_m2", &chain.inertia, 1.0, positive(), "of each lump, from top to bottom"},
+           {"stiffness_N_m_per_rad", &chain.stiffness, 1.0, positive(), "of the spring above each lump"},
+           {"damping_N_m_s_per_rad", &chain.damping, 1.0, at_least(0.0), "of the damper beside each spring"}}};
+}
+
+base::Section describe_friction(const char* name, Friction& friction, std::string& law) {
+  return {name,
+          {{"law", &law, 1.0, any(), "'none', 'smooth' or 'stribeck'"},
+           {"mu0", &friction.smooth.mu0, 1.0, at_least(0.0), "smooth: scale"},
+           {"alpha_s", &friction.smooth.alpha, 1.0, at_least(0.0), "smooth: hump"},
+           {"beta", &friction.smooth.beta, 1.0, at_least(0.0), "smooth: end of the hump, speeds in rad/s"},
+           {"gamma", &friction.smooth.gamma, 1.0, between(0.5, 10.0), "smooth: fall of the hump"},
+           {"nu_s", &friction.smooth.nu, 1.0, at_least(0.0), "smooth: viscous share"},
+           {"resting", &friction.stribeck.resting, 1.0, at_least(0.0), "stribeck: coefficient at rest"},
+           {"sliding", &friction.stribeck.sliding, 1.0, at_least(0.0), "stribeck: coefficient at high speed"},
+           {"decay_s", &friction.stribeck.decay, 1.0, at_least(0.0), "stribeck: fall from one to the other"}}};
+}
+
+/// What drives the string, and the bit with its frictions.
+std::vector<base::Section> describe_operation(DrillCase& drill, Words& words) {
+  const base::Range speed = between(0.0, 500.0);
+  base::Section wall = describe_friction("wall", drill.wall_friction, words.wall);
+  wall.fields.push_back(
+      {"normal_force_kN", &drill.wall_force, kN, at_least(0.0), "of the wall on each torsional lump"});
+  wall.fields.push_back({"radius_mm", &drill.wall_radius, mm, at_least(0.0), "arm of that friction"});
+  return {
+      {"",
+       {{"name", &drill.name, 1.0, any(), "for people", true},
+        {"rock", &drill.rock, 1.0, any(), "of the case; a model of another one is warned of"}}},
+      {"top_drive",
+       {{"imposes", &words.imposes, 1.0, any(), "'speed' or 'torque'"},
+        {"rotation_rpm", &drill.drive.rotation, rpm, speed, "imposed speed"},
+        {"torque_kN_m", &drill.drive.torque, kN, between(0.0, 1e3), "imposed torque"},
+        {"ramp_s", &drill.drive.ramp, 1.0, at_least(0.0), "time to full speed or torque; 0: at once"},
+        {"hook_load_kN", &drill.drive.hook_load, kN, at_least(0.0), "upward force on the top of the string"},
+        {"inertia_kg_m2", &drill.drive_inertia, 1.0, at_least(0.0), "of a drive that imposes torque"},
+        {"damping_N_m_s_per_rad", &drill.drive_damping, 1.0, at_least(0.0), "of that drive"}}},
+      {"bit",
+       {{"file", &drill.bit_file, 1.0, any(), "bit file, relative to this file"},
+        {"mass_kg", &drill.bit_mass, 1.0, at_least(0.0), "added to the lowest axial lump"},
+        {"inertia_kg_m2", &drill.bit_inertia, 1.0, at_least(0.0), "added to the lowest inertia; 0: of a cylinder"},
+        {"damping_N_m_s_per_rad", &drill.bit_damping, 1.0, at_least(0.0), "against the ground"},
+        {"friction_radius_mm", &drill.bit_rock.friction_radius, mm, at_least(0.0),
+         "arm; 0: mean radius of the cutters"}}},
+      describe_friction("friction", drill.bit_rock.friction, words.friction),
+      wall,
+  };
+}
+
+/// How the bit drills and what rock and fluid do to it.
+std::vector<base::Section> describe_bit_rock(DrillCase& drill, Words& words) {
+  BitRock& rock = drill.bit_rock;
+  RootAdvance& root = rock.root_advance;
+  RegularizedAdvance& regularized = rock.regularized_advance;
+  return {
+      {"drilling",
+       {{"law", &words.advance, 1.0, any(), "'root', 'regularized' or 'none'"},
+        {"c1_m_per_s_per_N_per_sqrt_rad_per_s", &root.c1, 1.0, at_least(0.0), "root: C1"},
+        {"c2_m_per_s", &root.c2, 1.0, between(-1.0, 0.0), "root: C2"},
+        {"a1_m_per_s", &regularized.a1, 1.0, at_least(0.0), "regularized: a1"},
+        {"a2_m_per_s_per_N", &regularized.a2, 1.0, at_least(0.0), "regularized: a2"},
+        {"a3_m_per_rad", &regularized.a3, 1.0, at_least(0.0), "regularized: a3"},
+        {"threshold_weight_kN", &rock.threshold_weight, kN, at_least(0.0), "weight that does not yet drill"},
+        {"imposed_weight_kN", &rock.imposed_weight, kN, at_least(0.0), "weight on bit without an axial chain"}}},
+      {"bit_rock",
+       {{"stiffness_N_per_m", &rock.contact.stiffness, 1.0, positive(), "under the bit"},
+        {"damping_N_s_per_m", &rock.contact.damping, 1.0, at_least(0.0), "under the bit"},
+        {"fracture_stiffness_N_m_per_rad", &rock.fracture_stiffness, 1.0, positive(), "before the cutters"},
+        {"unloading", &words.unloading, 1.0, any(), "of that spring when the bit turns back: 'free' or 'elastic'"},
+        {"axial_source", &words.axial_source, 1.0, any(), "'full', 'fluctuation' or 'none'"},
+        {"engagement_depth_mm", &rock.engagement_depth, mm, at_least(0.0), "lift at which cutters are out of the rock"},
+        {"averaging_time_s", &rock.averaging_time, 1.0, positive(), "of rotation and ROP before the source"}}},
+      {"fluid",
+       {{"pressure_drop_MPa", &drill.pressure_drop, MPa, at_least(0.0), "over the bit"},
+        {"nozzle_area_mm2", &drill.nozzle_area, mm2, at_least(0.0), "of all nozzles"},
+        {"jet_force", &words.jets, 1.0, any(), "'up' or 'down'"},
+        {"density_kg_per_m3", &drill.fluid_density, 1.0, between(0.0, 3000.0), "around the pipes"}}},
+  };
+}
+
+std::vector<base::Section> describe_run(DrillCase& drill, Words& words) {
+  const base::Range seed = between(-1, 2147483647);
+  return {
+      {"excitation",
+       {{"source", &words.source, 1.0, any(), "'none', 'sinusoidal', 'noise' or 'bit'"},
+        {"model", &drill.source.model_file, 1.0, any(), "bit: model.json, relative to this file"},
+        {"seed", &drill.source.seed, 1.0, seed, "noise, bit: of the draws; -1: that of the bit file, or 1"},
+        {"force_mean_kN", &drill.source.force.mean, kN, at_least(0.0), "sinusoidal, noise"},
+        {"force_deviation_kN", &drill.source.force.deviation, kN, at_least(0.0), "sinusoidal, noise"},
+        {"torque_mean_N_m", &drill.source.torque.mean, 1.0, at_least(0.0), "sinusoidal, noise"},
+        {"torque_deviation_N_m", &drill.source.torque.deviation, 1.0, at_least(0.0), "sinusoidal, noise"},
+        {"waves_per_turn", &drill.source.waves_per_turn, 1.0, positive(), "sinusoidal"},
+        {"piece_deg", &drill.source.piece_angle, deg, between(0.01, 360.0), "noise: angle of one draw"}}},
+      {"run",
+       {{"duration_s", &drill.run.duration, 1.0, positive(), "simulated time", true},
+        {"step_ms", &drill.run.step, ms, positive(), "of the solver"},
+        {"sample_ms", &drill.run.sample, ms, positive(), "between rows of the result"},
+        {"settling_s", &drill.run.settling, 1.0, at_least(0.0), "at the beginning, left out of the summary"},
+        {"start", &words.start, 1.0, any(), "'turning' or 'rest'"},
+        {"off_bottom_mm", &drill.run.off_bottom, mm, at_least(0.0), "lift of the bit at the beginning"}}},
+  };
+}
+
+std::vector<base::Section> describe(DrillCase& drill, Words& words) {
+  std::vector<base::Section> sections = describe_operation(drill, words);
+  for (const auto part : {describe_bit_rock, describe_run}) {
+    for (base::Section& section : part(drill, words)) sections.push_back(std::move(section));
+  }
+  return sections;
+}
+
+void take_words(const base::ConfigFile& file, const Words& words, DrillCase& drill) {
+  drill.lumping = meaning_of(file, "string", "lumping", words.lumping, lumpings);
+  drill.drive.imposes_speed = meaning_of(file, "top_drive", "imposes", words.imposes, imposed);
+  drill.jets_push_up = meaning_of(file, "fluid", "jet_force", words.jets, directions);
+  drill.bit_rock.friction.law = meaning_of(file, "friction", "law", words.friction, friction_laws);
+  drill.wall_friction.law = meaning_of(file, "wall", "law", words.wall, friction_laws);
+  drill.bit_rock.advance_law = meaning_of(file, "drilling", "law", words.advance, advance_laws);
+  drill.bit_rock.unloading = meaning_of(file, "bit_rock", "unloading", words.unloading, unloadings);
+  drill.bit_rock.axial_source = meaning_of(file, "bit_rock", "axial_source", words.axial_source, axial_sources);
+  drill.source.kind = meaning_of(file, "excitation", "source", words.source, sources);
+  drill.run.turning = meaning_of(file, "run", "start", words.start, starts);
+}
+
+Words words_of(const DrillCase& drill) {
+  return {.lumping = word_of(drill.lumping, lumpings),
+          .imposes = word_of(drill.drive.imposes_speed, imposed),
+          .jets = word_of(drill.jets_push_up, directions),
+          .friction = word_of(drill.bit_rock.friction.law, friction_laws),
+          .wall = word_of(drill.wall_friction.law, friction_laws),
+          .advance = word_of(drill.bit_rock.advance_law, advance_laws),
+          .unloading = word_of(drill.bit_rock.unloading, unloadings),
+          .axial_source = word_of(drill.bit_rock.axial_source, axial_sources),
+          .source = word_of(drill.source.kind, sources),
+          .start = word_of(drill.run.turning, starts)};
+}
+
+void read_pipes(base::ConfigFile& file, DrillCase& drill, Words& words) {
+  file.fill(describe_string(drill, words));
+  for (int i = 0; i < file.count("pipe"); ++i) {
+    PipeSection pipe;
+    file.fill_entry(describe(pipe), i);
+    if (pipe.inner_diameter >= pipe.outer_diameter) {
+      throw base::InputError(
+          fmt::format("{}: pipe {}: inner_diameter_mm = {:.6g} (must be below outer_diameter_mm = {:.6g})", file.name(),
+                      i + 1, pipe.inner_diameter / mm, pipe.outer_diameter / mm));
+    }
+    drill.pipes.push_back(pipe);
+  }
+}
+
+/// The chains as the file gives them; the axial one has no spring above its first mass.
+void read_chains(base::ConfigFile& file, DrillCase& drill) {
+  file.fill(describe_axial(drill.axial));
+  file.fill(describe_torsion(drill.torsional));
+  const auto check = [&](const char* section, const char* key, const std::vector<double>& values, std::size_t count) {
+    if (values.size() != count)
+      file.refuse(section, key, fmt::format("has {} entries (must have {})", values.size(), count));
+  };
+  const std::size_t masses = drill.axial.size(), inertias = drill.torsional.size();
+  if (inertias == 0) file.refuse("torsion", "inertia_kg_m2", "is empty (needs at least one inertia, or [[pipe]])");
+  check("torsion", "stiffness_N_m_per_rad", drill.torsional.stiffness, inertias);
+  check("torsion", "damping_N_m_s_per_rad", drill.torsional.damping, inertias);
+  if (masses == 0) return;
+  check("axial", "stiffness_N_per_m", drill.axial.stiffness, masses - 1);
+  check("axial", "damping_N_s_per_m", drill.axial.damping, masses - 1);
+}
+
+void check_together(const base::ConfigFile& file, const DrillCase& drill) {
+  const bool axial = !drill.pipes.empty() || drill.axial.size() > 0;
+  const BitRock& rock = drill.bit_rock;
+  if (axial && rock.imposed_weight > 0.0)
+    file.refuse("drilling", "imposed_weight_kN",
+                "needs a string without axial chain; here hook load and weight give it");
+  if (!drill.drive.imposes_speed && drill.drive_inertia == 0.0)
+    file.refuse("top_drive", "inertia_kg_m2", "must be above 0 for a drive that imposes torque");
+  if (rock.friction.law != FrictionLaw::none && rock.friction_radius == 0.0 && drill.bit_file.empty())
+    file.refuse("bit", "friction_radius_mm", "must be above 0 where there is friction and no bit file");
+  if (rock.friction.stribeck.sliding > rock.friction.stribeck.resting)
+    file.refuse("friction", "sliding", "must not exceed the coefficient at rest");
+  if (drill.source.kind == SourceKind::bit && drill.bit_file.empty())
+    file.refuse("bit", "file", "is needed by the source 'bit'");
+  const DrillSchedule& run = drill.run;
+  if (run.step > run.sample) file.refuse("run", "sample_ms", "must be at least step_ms");
+  if (run.sample > run.duration) file.refuse("run", "duration_s", "must be at least sample_ms");
+  if (run.duration / run.sample > most_samples)
+    file.refuse("run", "sample_ms", fmt::format("gives more than {:.0f} rows; raise it", most_samples));
+  if (run.settling >= run.duration) file.refuse("run", "settling_s", "must be below duration_s");
+  if (!drill.wall_force.empty() &&
+      drill.wall_force.size() !=
+          (drill.pipes.empty() ? drill.torsional.size() : static_cast<std::size_t>(drill.torsional_lumps)))
+    file.refuse("wall", "normal_force_kN", "needs one entry for each torsional lump");
+}
+
+}  // namespace
+
+DrillCase read_drill_case(base::ConfigFile& file) {
+  DrillCase drill;
+  Words words;
+  for (const base::Section& section : describe(drill, words)) file.fill(section);
+  if (file.count("pipe") > 0) {
+    read_pipes(file, drill, words);
+  } else {
+    if (file.has("string")) throw base::InputError(file.name() + ": [string] without [[pipe]] (needs at least one)");
+    read_chains(file, drill);
+  }
+  take_words(file, words, drill);
+  file.refuse_unknown();
+  if (!drill.bit_file.empty()) {
+    drill.bit_file = file.resolve(drill.bit_file).string();
+    drill.bit = read_bit(drill.bit_file);
+  }
+  if (!drill.source.model_file.empty()) drill.source.model_file = file.resolve(drill.source.model_file).string();
+  check_together(file, drill);
+  return drill;
+}
+
+DrillCase read_drill_case(const std::filesystem::path& path) {
+  base::ConfigFile file = base::ConfigFile::read(path);
+  return read_drill_case(file);
+}
+
+std::string resolved_toml(const DrillCase& drill) {
+  DrillCase copy = drill;
+  Words words = words_of(drill);
+  std::vector<base::Section> sections = describe(copy, words);
+  if (copy.pipes.empty()) {
+    if (copy.axial.size() > 0) sections.push_back(describe_axial(copy.axial));
+    sections.push_back(describe_torsion(copy.torsional));
+  } else {
+    sections.push_back(describe_string(copy, words));
+    for (PipeSection& pipe : copy.pipes) {
+      sections.push_back(describe(pipe));
+      sections.back().name = "[pipe]";  // an array of tables
+    }
+  }
+  for (base::Section& section : sections) {  // a list that is empty was not given
+    std::erase_if(section.fields, [](const base::Field& field) {
+      const auto* list = std::get_if<std::vector<double>*>(&field.target);
+      return list != nullptr && (*list)->empty();
+    });
+  }
+  return base::to_toml(sections);
+}
+
+}  // namespace runtime

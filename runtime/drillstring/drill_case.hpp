@@ -1,0 +1,87 @@
+#pragma once
+/// A drilling case as a file says it: string, top drive, bit, rock, excitation, and how long to run. `assemble` makes
+/// of it the drill string that the solver takes. The file's keys are in docs/formats.md.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/config.hpp"
+#include "runtime/bit/bit.hpp"
+#include "runtime/drillstring/drill_string.hpp"
+#include "runtime/drillstring/modes.hpp"
+
+namespace runtime {
+
+enum class SourceKind { none, sinusoidal, noise, bit };
+
+struct SourceCase {
+  SourceKind kind = SourceKind::none;
+  Excitation force;             ///< [N] of the simple kinds
+  Excitation torque;            ///< [N m]
+  double waves_per_turn = 1.0;  ///< sinusoidal
+  double piece_angle = 0.01;    ///< [rad] noise
+  int seed = -1;                ///< of noise or bit; -1: 1, or what the bit file says
+  std::string model_file;       ///< of the networks; empty: to be given at the command line
+};
+
+struct DrillSchedule {
+  double duration = 0.0;    ///< [s]
+  double step = 1e-4;       ///< [s]
+  double sample = 1e-2;     ///< [s] between two rows of the result; a whole number of steps
+  double settling = 0.0;    ///< [s] at the beginning that the summary leaves out
+  bool turning = true;      ///< begins at the speed of the drive
+  double off_bottom = 0.0;  ///< [m] lift of the bit at the beginning
+};
+
+struct DrillCase {
+  std::string name;
+  std::string rock;                ///< the rock the case is about; empty: not said
+  std::vector<PipeSection> pipes;  ///< from top to bottom; empty: the chains are given
+  int axial_lumps = 2, torsional_lumps = 2;
+  Lumping lumping = Lumping::middle;
+  double axial_damping_ratio = 0.0, torsional_damping_ratio = 0.0;  ///< [1] of a pair
+  Chain axial, torsional;  ///< as given; empty where there are pipes, and `axial` where the weight on bit is imposed
+  TopDrive drive;
+  double drive_inertia = 0.0;  ///< [kg m^2] of a drive that imposes torque
+  double drive_damping = 0.0;  ///< [N m s/rad] of that drive against the ground
+  std::string bit_file;        ///< empty: none
+  Bit bit;                     ///< of `bit_file`
+  double bit_mass = 0.0;       ///< [kg] added to the lowest axial lump
+  double bit_inertia = 0.0;    ///< [kg m^2] added to the lowest torsional lump; 0 with a bit file: of a cylinder
+  double bit_damping = 0.0;    ///< [N m s/rad] of the bit against the ground
+  Friction wall_friction;
+  std::vector<double> wall_force;                 ///< [N] of the wall on each torsional lump of the string
+  double wall_radius = 0.0;                       ///< [m] arm of that friction
+  BitRock bit_rock;                               ///< `friction_radius` 0 with a bit file: mean radius of its cutters
+  double pressure_drop = 0.0, nozzle_area = 0.0;  ///< [Pa], [m^2]
+  bool jets_push_up = true;
+  double fluid_density = 0.0;  ///< [kg/m^3] around the pipes
+  SourceCase source;
+  DrillSchedule run;
+};
+
+/// Throws `InputError` with file, line and key.
+DrillCase read_drill_case(base::ConfigFile& file);
+DrillCase read_drill_case(const std::filesystem::path& path);
+
+/// The case with every value, as a file.
+std::string resolved_toml(const DrillCase& drill);
+
+/// Throws `InputError` when the parts do not make a drill string.
+DrillString assemble(const DrillCase& drill);
+
+/// What the user should know before a run: a weight on bit that never reaches the threshold, and the like.
+std::vector<std::string> warnings(const DrillCase& drill, const DrillString& string);
+
+/// **What** Longest stable step of the linear chains with rock spring, broken rock and the steepest friction in place.
+/// **Validity** Friction is counted at the static weight on bit; leave room for the peaks of a bouncing bit.
+double longest_stable_step(const DrillString& string);
+
+/// Throws `InputError` when the step of the run is longer than that.
+void require_stable(const DrillCase& drill, const DrillString& string);
+
+/// The rock's spring as the linear chains feel it.
+BitSupport axial_support(const DrillString& string);
+
+}  // namespace runtime

@@ -1,0 +1,180 @@
+#include "runtime/drillstring/drill_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.hpp"
+#include "base/stop.hpp"
+
+namespace runtime {
+
+namespace {
+
+/// Mean, deviation and extremes of one quantity over steps of equal length, updated value by value so that nothing
+/// cancels.
+struct Running {
+  double count = 0.0, mean = 0.0, squares = 0.0;  ///< squares of the distances from the mean
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+
+  void add(double value) {
+    count += 1.0;
+    const double from_old_mean = value - mean;
+    mean += from_old_mean / count;
+    squares += from_old_mean * (value - mean);
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  Spread spread() const {
+    return {.mean = mean, .deviation = std::sqrt(squares / count), .lowest = lowest, .highest = highest};
+  }
+};
+
+struct Observed {
+  Running rotation, weight, total, torque, source_force, source_torque, rop;
+  double count = 0.0, at_rest = 0.0, backwards = 0.0, off_bottom = 0.0;
+};
+
+double torque_on_bit(const DrillState& state) {
+  return state.friction_torque + state.fracture_torque;
+}
+
+void observe(const DrillState& state, Observed& seen) {
+  const double rotation = state.torsional.velocity.back();
+  seen.rotation.add(rotation);
+  seen.weight.add(state.weight_on_bit);
+  seen.total.add(state.weight_on_bit + state.source_force);
+  seen.torque.add(torque_on_bit(state));
+  seen.source_force.add(state.source_force);
+  seen.source_torque.add(state.source_torque);
+  seen.rop.add(state.rate_of_penetration);
+  seen.count += 1.0;
+  seen.at_rest += std::abs(rotation) < at_rest ? 1.0 : 0.0;
+  seen.backwards += rotation < 0.0 ? 1.0 : 0.0;
+  seen.off_bottom += state.weight_on_bit == 0.0 ? 1.0 : 0.0;
+}
+
+void record(const DrillString& string, const DrillState& state, DrillSeries& series) {
+  const Drive drive = drive_at(string.drive, state.time);
+  const bool imposed = string.drive.imposes_speed;
+  series.time_s.push_back(state.time);
+  series.bit_rotation_rad_per_s.push_back(state.torsional.velocity.back());
+  series.table_rotation_rad_per_s.push_back(imposed ? drive.velocity : state.torsional.velocity.front());
+  series.weight_on_bit_N.push_back(state.weight_on_bit);
+  series.source_force_N.push_back(state.source_force);
+  series.rop_m_per_s.push_back(state.rate_of_penetration);
+  series.torque_on_bit_N_m.push_back(torque_on_bit(state));
+  series.fracture_torque_N_m.push_back(state.fracture_torque);
+  series.drive_torque_N_m.push_back(imposed ? drive_reaction(string.torsional, state.torsional, drive)
+                                            : drive_torque_at(string.drive, state.time));
+  series.bit_depth_m.push_back(string.axial.size() > 0 ? state.axial.position.back() : state.face);
+  series.face_depth_m.push_back(state.face);
+  series.progression_angle_rad.push_back(state.progression);
+}
+
+void require_finite(const DrillState& state) {
+  const auto finite = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  };
+  if (finite(state.axial.velocity) && finite(state.torsional.velocity) && std::isfinite(state.weight_on_bit) &&
+      std::isfinite(torque_on_bit(state)) && std::isfinite(state.face))
+    return;
+  throw base::SimulationError(
+      fmt::format("at {:.6g} s a speed or force of the drill string is no longer a finite number (a shorter "
+                  "run.step_ms helps where a vibration grows without limit)",
+                  state.time));
+}
+
+DrillSummary summary_of(const DrillString& string, const DrillState& state, const Observed& seen, double residual) {
+  DrillSummary summary;
+  summary.bit_rotation = seen.rotation.spread();
+  summary.weight_on_bit = seen.weight.spread();
+  summary.total_force = seen.total.spread();
+  summary.torque = seen.torque.spread();
+  summary.source_force = seen.source_force.spread();
+  summary.source_torque = seen.source_torque.spread();
+  summary.rop = seen.rop.spread();
+  summary.static_weight_on_bit = static_weight_on_bit(string);
+  const Spread& rotation = summary.bit_rotation;
+  if (rotation.mean > 0.0) summary.severity = (rotation.highest - rotation.lowest) / (2.0 * rotation.mean);
+  summary.share_at_rest = seen.at_rest / seen.count;
+  summary.share_backwards = seen.backwards / seen.count;
+  summary.share_off_bottom = seen.off_bottom / seen.count;
+  summary.drilled = state.face;
+  const EnergyFlows& work = state.work;
+  const double through = std::abs(work.drive) + std::abs(work.weight + work.hook) + std::abs(work.bit_friction) +
+                         std::abs(work.dampers) + std::abs(work.fracture);
+  summary.energy_residual = through > 0.0 ? residual / through : 0.0;
+  return summary;
+}
+
+}  // namespace
+
+DrillSource make_source(const DrillCase& drill, const std::optional<surrogate::Model>& model) {
+  const SourceCase& source = drill.source;
+  const auto seed = [&](std::uint64_t otherwise) {
+    return source.seed >= 0 ? static_cast<std::uint64_t>(source.seed) : otherwise;
+  };
+  switch (source.kind) {
+    case SourceKind::none:
+      return {.load = no_excitation()};
+    case SourceKind::sinusoidal:
+      return {.load = sinusoidal_excitation(source.force, source.torque, source.waves_per_turn)};
+    case SourceKind::noise:
+      return {.load = noise_excitation(source.force, source.torque, source.piece_angle, seed(1))};
+    case SourceKind::bit:
+      break;
+  }
+  if (!model)
+    throw base::InputError(drill.name + ": the source 'bit' needs a model (excitation.model in the case, or --model)");
+  Bit bit = drill.bit;
+  bit.signal.seed = seed(bit.signal.seed);
+  DrillSource result{.bit = std::make_shared<BitForce>(bit, *model)};
+  result.load = bit_excitation(*result.bit);
+  return result;
+}
+
+double step_of(const DrillSchedule& run) {
+  return run.sample / std::ceil(run.sample / run.step * (1.0 - 1e-12));  // 10 / 0.1 is a hair above 100 in binary
+}
+
+DrillRun run_drill(const DrillCase& drill, const DrillString& string, const DrillSource& source,
+                   const base::ProgressCallback& progress) {
+  require_stable(drill, string);
+  const auto begin = std::chrono::steady_clock::now();
+  DrillRun run;
+  run.step = step_of(drill.run);
+  const auto steps_a_sample = static_cast<long long>(std::llround(drill.run.sample / run.step));
+  const auto samples = static_cast<long long>(std::floor(drill.run.duration / drill.run.sample * (1.0 + 1e-12)));
+
+  DrillState state = beginning(string, source.load, drill.run.turning, drill.run.off_bottom);
+  const double initial = stored_energy(string, state);
+  record(string, state, run.series);
+  Observed seen;
+  for (long long sample = 0; sample < samples; ++sample) {
+    base::throw_if_stopped();
+    if (progress) progress(static_cast<double>(sample) * drill.run.sample, drill.run.duration);
+    for (long long i = 0; i < steps_a_sample; ++i) {
+      advance(string, state, source.load, run.step);
+      if (state.time > drill.run.settling) observe(state, seen);
+    }
+    require_finite(state);
+    record(string, state, run.series);
+  }
+  if (progress) progress(drill.run.duration, drill.run.duration);
+  if (seen.count == 0.0) observe(state, seen);
+
+  run.steps = samples * steps_a_sample;
+  run.summary = summary_of(string, state, seen, energy_residual(string, state, initial));
+  if (source.bit) {
+    run.summary.clamps = source.bit->clamps();
+    run.summary.draws = source.bit->draws();
+  }
+  run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return run;
+}
+
+}  // namespace runtime

@@ -1,0 +1,313 @@
+#include "runtime/drillstring/drill_string.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/errors.hpp"
+#include "runtime/laws/progression_angle.hpp"
+#include "runtime/signal/step5.hpp"
+
+namespace runtime {
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;  // [rad] of cut over which the mean of a fluctuating source is taken
+
+AdvanceLine line_at(const BitRock& bit, double rotation) {
+  switch (bit.advance_law) {
+    case AdvanceLaw::root:
+      return advance_line(bit.root_advance, rotation, bit.threshold_weight);
+    case AdvanceLaw::regularized:
+      return advance_line(bit.regularized_advance, rotation, bit.threshold_weight);
+    case AdvanceLaw::none:
+      break;
+  }
+  return {};
+}
+
+/// Velocities half-way, positions at the end, velocities as predicted for the end.
+void drift(ChainMotion& motion, std::vector<double>& predicted, double h) {
+  for (std::size_t i = 0; i < motion.position.size(); ++i) {
+    motion.velocity[i] += 0.5 * h * motion.acceleration[i];
+    motion.position[i] += h * motion.velocity[i];
+    predicted[i] = motion.velocity[i] + 0.5 * h * motion.acceleration[i];
+  }
+}
+
+/// How much of the cut the cutters still have: 1 on the bottom, falling to 0 as the bit is lifted by the depth of cut.
+double engagement(const BitRock& bit, double depth) {
+  if (depth >= 0.0) return 1.0;
+  return bit.engagement_depth > 0.0 ? std::max(0.0, 1.0 + depth / bit.engagement_depth) : 0.0;
+}
+
+double acting_force(const BitRock& bit, DrillState& state, double force, double progressed) {
+  if (bit.axial_source == AxialSource::none) return 0.0;
+  if (bit.axial_source == AxialSource::full) return force;
+  if (!state.source_known) state.source_mean = force;
+  state.source_known = true;
+  state.source_mean += (1.0 - std::exp(-progressed / turn)) * (force - state.source_mean);
+  return force - state.source_mean;
+}
+
+/// Load of the source and the torque of breaking rock, after the bit has turned by `turned`.
+void drive_source(const DrillString& string, DrillState& state, const BitRockSource& source, double turned,
+                  double depth) {
+  // a bit that its cutters carry (their force is that of the instant before) goes on cutting without the rock spring
+  const double pushed = state.weight_on_bit + std::max(0.0, state.source_force);
+  const double progressed = progression(turned, pushed, string.bit.threshold_weight);
+  state.progression += progressed;
+  const BitLoad load = source({.angle = state.progression,
+                               .rotation = mean(state.smooth_rotation),
+                               .rate_of_penetration = mean(state.smooth_advance)});
+  const double share = engagement(string.bit, depth);
+  state.source_force = share * acting_force(string.bit, state, load.axial_force, progressed);
+  state.source_torque = share * std::max(0.0, load.torque);
+  const FractureSpring spring =
+      fracture_spring(state.twist, turned, string.bit.fracture_stiffness, state.source_torque, string.bit.unloading);
+  state.twist = spring.twist;
+  state.fracture_torque = spring.torque;
+}
+
+/// Weight on bit and rate of penetration; returns how deep the bit stands below the face.
+double push_on_rock(const DrillString& string, DrillState& state, double h) {
+  const AdvanceLine line = line_at(string.bit, state.torsional_room.predicted.back());
+  if (string.axial.size() == 0) {
+    state.weight_on_bit = string.bit.imposed_weight;
+    state.rate_of_penetration = rate_of_penetration(line, state.weight_on_bit);
+    return 0.0;
+  }
+  const double before = state.rate_of_penetration;
+  const double depth = state.axial.position.back() - (state.face + h * before);
+  const RockPush push = rock_push(string.bit.contact, line, depth, state.axial_room.predicted.back());
+  state.weight_on_bit = push.force;
+  state.rate_of_penetration = push.speed;
+  state.face += 0.5 * h * (before + push.speed);
+  return depth;
+}
+
+void accelerate_axial(const DrillString& string, DrillState& state) {
+  std::vector<double>& force = state.axial_room.force;
+  set_chain_forces(string.axial, state.axial.position, state.axial_room.predicted, {}, force);
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] += string.weights[i];
+  force.front() -= string.drive.hook_load;
+  force.back() -= state.weight_on_bit + state.source_force + string.bit.hydraulic_force;
+  for (std::size_t i = 0; i < force.size(); ++i) state.axial.acceleration[i] = force[i] / string.axial.inertia[i];
+}
+
+/// Dry friction that acts on a lump: most it holds at rest, and while sliding.
+struct DryLimits {
+  double at_rest = 0.0, sliding = 0.0;
+};
+
+void add_dry(const Friction& friction, double moment, double speed, DryLimits& limits) {
+  limits.at_rest += moment * friction.stribeck.resting;
+  limits.sliding += moment * friction_coefficient(friction.stribeck, speed);
+}
+
+/// Friction of one place on its lump: smooth friction goes into the torque at once, dry friction into the limits.
+/// Returns the smooth torque against forward turning.
+double smooth_or_dry(const Friction& friction, double moment, double speed, double& torque, DryLimits& limits) {
+  if (friction.law == FrictionLaw::stribeck) add_dry(friction, moment, speed, limits);
+  if (friction.law != FrictionLaw::smooth) return 0.0;
+  const double resisting = moment * friction_coefficient(friction.smooth, speed);
+  torque -= resisting;
+  return resisting;
+}
+
+/// Returns the power of friction at the wall [W].
+double accelerate_torsional(const DrillString& string, DrillState& state, double half_step) {
+  const std::vector<double>& speed = state.torsional_room.predicted;
+  std::vector<double>& torque = state.torsional_room.force;
+  set_chain_forces(string.torsional, state.torsional.position, speed, drive_at(string.drive, state.time), torque);
+  if (!string.drive.imposes_speed) torque.front() += drive_torque_at(string.drive, state.time);
+  torque.back() -= state.fracture_torque;
+
+  double wall_power = 0.0;
+  const std::size_t last = torque.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    DryLimits limits;
+    double wall = 0.0, bit = 0.0;
+    if (!string.wall_moment.empty())
+      wall = smooth_or_dry(string.wall_friction, string.wall_moment[i], speed[i], torque[i], limits);
+    const double wall_share = limits.sliding;
+    const double bit_moment = i == last ? state.weight_on_bit * string.bit.friction_radius : 0.0;
+    if (i == last) bit = smooth_or_dry(string.bit.friction, bit_moment, speed[i], torque[i], limits);
+
+    double& v = state.torsional.velocity[i];
+    if (limits.at_rest > 0.0) {
+      const DryFriction dry = karnopp(state.sliding[i], v, half_step / string.torsional.inertia[i], torque[i],
+                                      limits.at_rest, limits.sliding);
+      const double of_wall = limits.sliding > 0.0 ? wall_share / limits.sliding : 0.0;
+      wall -= of_wall * dry.torque;
+      bit -= (1.0 - of_wall) * dry.torque;
+      torque[i] += dry.torque;
+      state.sliding[i] = dry.direction;
+      if (dry.direction == 0) {
+        torque[i] = 0.0;
+        v = 0.0;
+      }
+    } else {
+      state.sliding[i] = v > 0.0 ? 1 : v < 0.0 ? -1 : 0;
+    }
+    state.torsional.acceleration[i] = torque[i] / string.torsional.inertia[i];
+    v += half_step * state.torsional.acceleration[i];
+    wall_power += wall * v;
+    if (i == last) state.friction_torque = bit;
+  }
+  return wall_power;
+}
+
+EnergyFlows power_now(const DrillString& string, const DrillState& state, double wall_power) {
+  const Drive drive = drive_at(string.drive, state.time);
+  const double rotation = state.torsional.velocity.back();
+  EnergyFlows power;
+  power.drive = string.drive.imposes_speed
+                    ? drive_reaction(string.torsional, state.torsional, drive) * drive.velocity
+                    : drive_torque_at(string.drive, state.time) * state.torsional.velocity.front();
+  power.dampers = damper_power(string.torsional, state.torsional, drive);
+  power.wall_friction = wall_power;
+  power.bit_friction = state.friction_torque * rotation;
+  power.fracture = state.fracture_torque * rotation;
+  if (string.axial.size() == 0) return power;
+  const double sinking = state.axial.velocity.back();
+  power.weight = std::inner_product(string.weights.begin(), string.weights.end(), state.axial.velocity.begin(), 0.0);
+  power.hook = -string.drive.hook_load * state.axial.velocity.front();
+  power.hydraulic = -string.bit.hydraulic_force * sinking;
+  power.dampers += damper_power(string.axial, state.axial, {});
+  power.rock_push = state.weight_on_bit * sinking;
+  power.source = state.source_force * sinking;
+  power.drilling = state.weight_on_bit * state.rate_of_penetration;
+  return power;
+}
+
+constexpr double EnergyFlows::*all_flows[] = {
+    &EnergyFlows::drive,     &EnergyFlows::weight,        &EnergyFlows::hook,         &EnergyFlows::hydraulic,
+    &EnergyFlows::dampers,   &EnergyFlows::wall_friction, &EnergyFlows::bit_friction, &EnergyFlows::fracture,
+    &EnergyFlows::rock_push, &EnergyFlows::source,        &EnergyFlows::drilling};
+
+/// Everything that follows from positions and predicted velocities of one instant. `h` 0: the beginning, where
+/// velocities are known already.
+void settle(const DrillString& string, DrillState& state, const BitRockSource& source, double turned, double h) {
+  const double depth = push_on_rock(string, state, h);
+  drive_source(string, state, source, turned, depth);
+  if (string.axial.size() > 0) {
+    accelerate_axial(string, state);
+    for (std::size_t i = 0; i < string.axial.size(); ++i)
+      state.axial.velocity[i] += 0.5 * h * state.axial.acceleration[i];
+  }
+  const double wall_power = accelerate_torsional(string, state, 0.5 * h);
+  accept(state.smooth_rotation, state.time, state.torsional.velocity.back());
+  accept(state.smooth_advance, state.time, state.rate_of_penetration);
+
+  const EnergyFlows power = power_now(string, state, wall_power);
+  for (double EnergyFlows::*flow : all_flows) state.work.*flow += 0.5 * h * (power.*flow + state.power.*flow);
+  state.power = power;
+}
+
+void require_consistent(const DrillString& string) {
+  const auto refuse = [](const std::string& what) { throw base::InputError("drill string: " + what); };
+  if (string.torsional.size() == 0) refuse("no torsional lump (needs at least one)");
+  for (const Chain* chain : {&string.axial, &string.torsional}) {
+    const std::size_t n = chain->size();
+    if (chain->stiffness.size() != n || chain->damping.size() != n || chain->wall_damping.size() != n)
+      refuse("lists of inertias, stiffnesses and dampings differ in length");
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!(chain->inertia[i] > 0.0))
+        refuse(fmt::format("lump {} has inertia {} (must be above 0)", i, chain->inertia[i]));
+      if (i > 0 && !(chain->stiffness[i] > 0.0))
+        refuse(fmt::format("the spring above lump {} has stiffness {} (must be above 0)", i, chain->stiffness[i]));
+    }
+  }
+  if (string.weights.size() != string.axial.size()) refuse("one weight an axial lump is needed");
+  if (!string.wall_moment.empty() && string.wall_moment.size() != string.torsional.size())
+    refuse("one wall moment a torsional lump is needed");
+  if (!(string.bit.fracture_stiffness > 0.0)) refuse("the fracture stiffness must be above 0");
+  if (string.axial.size() > 0 && !(string.bit.contact.stiffness > 0.0)) refuse("the rock's stiffness must be above 0");
+}
+
+void begin_chain(const Chain& chain, ChainMotion& motion, ChainRoom& room) {
+  motion.position.assign(chain.size(), 0.0);
+  motion.velocity.assign(chain.size(), 0.0);
+  motion.acceleration.assign(chain.size(), 0.0);
+  room.predicted.assign(chain.size(), 0.0);
+  room.force.assign(chain.size(), 0.0);
+}
+
+/// Positions in balance on a face at 0, with the rock's spring carrying `weight` [N] and jets pushing.
+void place_on_bottom(const DrillString& string, double weight, std::vector<double>& position) {
+  double pull = -weight - string.bit.hydraulic_force;  // of the spring above the lump, upwards
+  position.back() = weight / string.bit.contact.stiffness;
+  for (std::size_t i = position.size() - 1; i > 0; --i) {
+    pull += string.weights[i];
+    position[i - 1] = position[i] - pull / string.axial.stiffness[i];
+  }
+}
+
+}  // namespace
+
+Drive drive_at(const TopDrive& drive, double time) {
+  if (!drive.imposes_speed) return {};
+  if (drive.ramp <= 0.0) return {drive.rotation * time, drive.rotation};
+  const double s = time / drive.ramp;
+  if (s >= 1.0) return {drive.rotation * (time - 0.5 * drive.ramp), drive.rotation};
+  return {drive.rotation * drive.ramp * s * s * s * s * (2.5 + s * (s - 3.0)), drive.rotation * smooth_unit_step(s)};
+}
+
+double drive_torque_at(const TopDrive& drive, double time) {
+  return drive.ramp > 0.0 ? step5(time, 0.0, 0.0, drive.ramp, drive.torque) : drive.torque;
+}
+
+double static_weight_on_bit(const DrillString& string) {
+  if (string.axial.size() == 0) return string.bit.imposed_weight;
+  const double weight = std::accumulate(string.weights.begin(), string.weights.end(), 0.0);
+  return std::max(0.0, weight - string.drive.hook_load - string.bit.hydraulic_force);
+}
+
+DrillState beginning(const DrillString& string, const BitRockSource& source, bool turning, double off_bottom) {
+  require_consistent(string);
+  DrillState state;
+  begin_chain(string.axial, state.axial, state.axial_room);
+  begin_chain(string.torsional, state.torsional, state.torsional_room);
+  state.smooth_rotation.window = state.smooth_advance.window = string.bit.averaging_time;
+
+  const double rotation = turning ? string.drive.rotation : 0.0;
+  state.torsional.velocity.assign(string.torsional.size(), rotation);
+  state.torsional_room.predicted = state.torsional.velocity;
+  state.sliding.assign(string.torsional.size(), rotation > 0.0 ? 1 : 0);
+  accept(state.smooth_rotation, 0.0, rotation);
+
+  const double weight = static_weight_on_bit(string);
+  if (string.axial.size() > 0 && off_bottom > 0.0) state.face = off_bottom;
+  if (string.axial.size() > 0 && off_bottom == 0.0 && weight > 0.0)
+    place_on_bottom(string, weight, state.axial.position);
+  if (off_bottom == 0.0) state.rate_of_penetration = rate_of_penetration(line_at(string.bit, rotation), weight);
+  accept(state.smooth_advance, 0.0, state.rate_of_penetration);
+  settle(string, state, source, 0.0, 0.0);
+  return state;
+}
+
+void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h) {
+  state.time += h;
+  drift(state.axial, state.axial_room.predicted, h);
+  drift(state.torsional, state.torsional_room.predicted, h);
+  settle(string, state, source, h * state.torsional.velocity.back(), h);
+}
+
+double stored_energy(const DrillString& string, const DrillState& state) {
+  return kinetic_energy(string.axial, state.axial) + kinetic_energy(string.torsional, state.torsional) +
+         spring_energy(string.axial, state.axial, {}) +
+         spring_energy(string.torsional, state.torsional, drive_at(string.drive, state.time));
+}
+
+double energy_residual(const DrillString& string, const DrillState& state, double initial) {
+  const EnergyFlows& w = state.work;
+  const double in = w.drive + w.weight + w.hook + w.hydraulic;
+  const double out = w.dampers + w.wall_friction + w.bit_friction + w.fracture + w.rock_push + w.source;
+  return in - out - (stored_energy(string, state) - initial);
+}
+
+}  // namespace runtime

@@ -1,0 +1,137 @@
+#pragma once
+/// A drill string in two dimensions: an axial and a torsional chain that meet at the bit, driven from the top, resisted
+/// by the rock. This header holds its parts, its state and one step of time. It reads no files and keeps no history.
+
+#include <vector>
+
+#include "runtime/drillstring/chain.hpp"
+#include "runtime/drillstring/excitation.hpp"
+#include "runtime/laws/fracture_spring.hpp"
+#include "runtime/laws/friction.hpp"
+#include "runtime/laws/karnopp.hpp"
+#include "runtime/laws/moving_average.hpp"
+#include "runtime/laws/rate_of_penetration.hpp"
+#include "runtime/laws/rock_contact.hpp"
+
+namespace runtime {
+
+/// Rotation imposed on the first spring, or torque on a drive that is itself the first lump of the torsional chain.
+struct TopDrive {
+  bool imposes_speed = true;
+  double rotation = 0.0;   ///< [rad/s] 0 or more, where it imposes speed
+  double torque = 0.0;     ///< [N m] where it does not
+  double ramp = 0.0;       ///< [s] both grow from 0 to full with `step5` in this time; 0: at once
+  double hook_load = 0.0;  ///< [N] upwards on the first axial lump
+};
+
+/// Angle and speed of an imposing drive at time t: the integral of step5, S(s) = 5/2 s^4 - 3 s^5 + s^6.
+Drive drive_at(const TopDrive& drive, double time);
+/// Torque [N m] of a drive that imposes it.
+double drive_torque_at(const TopDrive& drive, double time);
+
+enum class FrictionLaw { none, smooth, stribeck };
+
+/// Friction at the bit or at the wall; both constants are there, `law` says which count.
+struct Friction {
+  FrictionLaw law = FrictionLaw::none;
+  SmoothFriction smooth;
+  StribeckFriction stribeck;
+};
+
+enum class AdvanceLaw { none, root, regularized };
+
+/// What of the source's axial force acts on the bit. It acts beside the rock spring; with its mean, the spring carries
+/// less than the weight on bit by that mean.
+enum class AxialSource { full, fluctuation, none };
+
+/// Everything at the bit.
+struct BitRock {
+  Friction friction;
+  double friction_radius = 0.0;  ///< [m] arm of the friction: torque = W r mu
+  AdvanceLaw advance_law = AdvanceLaw::root;
+  RootAdvance root_advance;
+  RegularizedAdvance regularized_advance;
+  double threshold_weight = 0.0;  ///< [N] W_TS
+  RockContact contact;
+  double hydraulic_force = 0.0;     ///< [N] upwards on the bit
+  double fracture_stiffness = 2e4;  ///< [N m/rad]
+  Unloading unloading = Unloading::free;
+  AxialSource axial_source = AxialSource::full;
+  double engagement_depth = 0.4e-3;  ///< [m] lift of the bit at which the cutters have left the rock
+  double averaging_time = 0.1;       ///< [s] of rotation and ROP before they reach the source
+  double imposed_weight = 0.0;       ///< [N] weight on bit when there is no axial chain
+};
+
+/// Parts that do not change.
+struct DrillString {
+  Chain axial;                  ///< empty: the weight on bit is imposed
+  std::vector<double> weights;  ///< [N] of each axial lump, downwards
+  Chain torsional;              ///< with the drive as first lump when that imposes torque
+  TopDrive drive;
+  Friction wall_friction;
+  std::vector<double> wall_moment;  ///< [N m] normal force times radius at each torsional lump; empty: none
+  BitRock bit;
+};
+
+/// One number for every way energy enters or leaves the string: work since the beginning [J], or power [W].
+struct EnergyFlows {
+  double drive = 0.0, weight = 0.0, hook = 0.0, hydraulic = 0.0;  ///< done on the string
+  double dampers = 0.0, wall_friction = 0.0, bit_friction = 0.0;  ///< taken from it
+  double fracture = 0.0, rock_push = 0.0, source = 0.0;           ///< taken by the rock
+  double drilling = 0.0;  ///< part of `rock_push` that goes with the moving face; the rest is in spring and damper
+};
+
+/// Room a step needs for each chain.
+struct ChainRoom {
+  std::vector<double> predicted, force;
+};
+
+/// All that changes. Positions are positive downwards, angles in the direction of drilling; everything is of one
+/// instant.
+struct DrillState {
+  double time = 0.0;  ///< [s]
+  ChainMotion axial, torsional;
+  std::vector<int> sliding;          ///< direction of each torsional lump where dry friction acts, 0: sticks
+  double face = 0.0;                 ///< [m] position of the rock face below the bit
+  double progression = 0.0;          ///< [rad] theta_bp
+  double twist = 0.0;                ///< [rad] stored in the rock
+  double weight_on_bit = 0.0;        ///< [N] of the rock spring and damper, or imposed
+  double rate_of_penetration = 0.0;  ///< [m/s] of this instant
+  double friction_torque = 0.0;      ///< [N m] of the rock on the bit, against forward turning positive
+  double fracture_torque = 0.0;      ///< [N m] resists, 0 or more
+  double source_force = 0.0;         ///< [N] axial force of the source that acts, upwards
+  double source_torque = 0.0;        ///< [N m] most that the rock before the cutters bears, 0 or more
+  double source_mean = 0.0;          ///< [N] running mean of the source's force (fluctuation only)
+  bool source_known = false;         ///< whether `source_mean` has begun
+  MovingAverage smooth_rotation, smooth_advance;
+  EnergyFlows work, power;  ///< [J] so far, [W] at this instant
+  ChainRoom axial_room, torsional_room;
+};
+
+/// State at the beginning. `turning`: already at the speed of the drive, without twist; otherwise at rest. The axial
+/// chain is in balance on the bottom when its weight exceeds hook load and jets; `off_bottom` [m] above 0 lifts the
+/// bit, unstretched. Throws `InputError` when the chains and lists do not fit together.
+DrillState beginning(const DrillString& string, const BitRockSource& source, bool turning, double off_bottom);
+
+/// **What** One step of `h` seconds.
+/// **Equation** u = v + h a / 2;  q' = q + h u;  a' = F(q', v + h a, t + h) / M;  v' = u + h a' / 2.
+/// **Symbols** q, v, a of every lump; F all forces; u velocity half-way.
+/// **Source** velocity Verlet with a predicted velocity for forces that depend on it [GrootWarren1997]; forces of the
+/// bit as in `runtime/laws/`.
+/// **Differences and validity** Second order in h while nothing switches; contact with the rock, sticking, breaking
+/// away and the fracture limit are switched at ends of steps, with a first-order error at these instants. Stable for
+/// linear chains up to `longest_stable_step`. One call of the source a step. The face moves with the ROP of the
+/// instant: with the 0.1 s mean the loop of face and weight would oscillate. Takes no memory (a source may).
+void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h);
+
+/// Static weight on bit [N]: weight of the string less hook load and jets; imposed where it is imposed.
+double static_weight_on_bit(const DrillString& string);
+
+/// Energy of motion and springs of the string [J], without the rock's.
+double stored_energy(const DrillString& string, const DrillState& state);
+
+/// Work done on the string less work taken from it and stored in it since `initial` = stored_energy at the beginning
+/// [J]: what the solver lost or made. Of second order in the step.
+double energy_residual(const DrillString& string, const DrillState& state, double initial);
+
+}  // namespace runtime

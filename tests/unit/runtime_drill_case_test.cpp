@@ -1,0 +1,273 @@
+// Drilling cases: what a file becomes, what is refused and how, what a run gives.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/errors.hpp"
+#include "base/hdf5_file.hpp"
+#include "runtime/drillstring/drill_file.hpp"
+#include "runtime/drillstring/drill_run.hpp"
+#include "tests/allocations.hpp"
+#include "tests/scratch.hpp"
+#include "tests/unit/runtime_fixtures.hpp"
+
+namespace {
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+const std::string pipes = R"(name = "short string"
+[string]
+torsional_damping_ratio = 0.02
+axial_damping_ratio = 0.02
+[[pipe]]
+length_m = 150
+outer_diameter_mm = 127
+inner_diameter_mm = 108.61
+[top_drive]
+rotation_rpm = 60
+hook_load_kN = 25
+[bit]
+mass_kg = 65
+inertia_kg_m2 = 0.3
+friction_radius_mm = 80.2
+[excitation]
+source = "sinusoidal"
+force_mean_kN = 2
+force_deviation_kN = 0.5
+torque_mean_N_m = 80
+torque_deviation_N_m = 20
+waves_per_turn = 3
+[run]
+duration_s = 2
+step_ms = 0.1
+sample_ms = 10
+)";
+
+const std::string chains = R"(name = "two discs"
+[torsion]
+inertia_kg_m2 = [10, 5]
+stiffness_N_m_per_rad = [500, 400]
+damping_N_m_s_per_rad = [1, 1]
+[axial]
+mass_kg = [100, 50]
+stiffness_N_per_m = [1e6]
+damping_N_s_per_m = [10]
+[top_drive]
+rotation_rpm = 60
+[bit]
+friction_radius_mm = 80
+[run]
+duration_s = 1
+)";
+
+runtime::DrillCase read(const std::string& text) {
+  base::ConfigFile file = base::ConfigFile::from_text(text, "case.toml");
+  return runtime::read_drill_case(file);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    const runtime::DrillCase drill = read(text);
+    const runtime::DrillString string = runtime::assemble(drill);
+    runtime::require_stable(drill, string);
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(DrillCase, PipesBecomeChainsWithTheBitAtTheirEnd) {
+  const runtime::DrillString string = runtime::assemble(read(pipes));
+  ASSERT_EQ(string.axial.size(), 2u);
+  ASSERT_EQ(string.torsional.size(), 2u);
+  EXPECT_NEAR(string.axial.inertia[1] - string.axial.inertia[0], 65.0, 1e-9);
+  EXPECT_NEAR(string.torsional.inertia[1] - string.torsional.inertia[0], 0.3, 1e-12);
+  EXPECT_NEAR(string.weights[1] - string.weights[0], 65.0 * 9.81, 1e-9);
+  EXPECT_NEAR(string.torsional.stiffness[0] / string.torsional.stiffness[1], 2.0, 1e-12);
+  EXPECT_NEAR(string.drive.rotation, 2.0 * M_PI, 1e-12);
+}
+
+TEST(DrillCase, GivenChainsGetTheirMissingFirstSpring) {
+  const runtime::DrillString string = runtime::assemble(read(chains));
+  EXPECT_EQ(string.axial.stiffness, (std::vector<double>{0.0, 1e6}));
+  EXPECT_EQ(string.axial.damping, (std::vector<double>{0.0, 10.0}));
+  EXPECT_EQ(string.torsional.stiffness, (std::vector<double>{500.0, 400.0}));
+  EXPECT_NEAR(string.weights[0], 981.0, 1e-9);
+}
+
+TEST(DrillCase, ADriveOfTorqueIsALumpOfItsOwn) {
+  std::string text =
+      replaced(chains, "rotation_rpm = 60",
+               "imposes = \"torque\"\ntorque_kN_m = 3\ninertia_kg_m2 = 900\ndamping_N_m_s_per_rad = 400");
+  const runtime::DrillString string = runtime::assemble(read(text));
+  EXPECT_EQ(string.torsional.inertia, (std::vector<double>{900.0, 10.0, 5.0}));
+  EXPECT_EQ(string.torsional.stiffness, (std::vector<double>{0.0, 500.0, 400.0}));
+  EXPECT_EQ(string.torsional.wall_damping, (std::vector<double>{400.0, 0.0, 0.0}));
+  EXPECT_NE(refusal(replaced(text, "inertia_kg_m2 = 900", "inertia_kg_m2 = 0")).find("inertia_kg_m2"),
+            std::string::npos);
+}
+
+TEST(DrillCase, ResolvedTextReadsBackTheSame) {
+  for (const std::string& text : {pipes, chains}) {
+    const runtime::DrillCase first = read(text);
+    const std::string once = runtime::resolved_toml(first);
+    if (text == chains) {
+      EXPECT_NE(once.find("stiffness_N_per_m = [1000000"), std::string::npos) << once;
+    }
+    EXPECT_EQ(runtime::resolved_toml(read(once)), once);
+  }
+}
+
+TEST(DrillCase, BadInputIsRefusedWithTheKeyAndWhatIsAllowed) {
+  const struct {
+    std::string text, from, to, word;
+  } cases[] = {
+      {pipes, "rotation_rpm = 60", "rotation_rpm = -60", "rotation_rpm = -60"},
+      {pipes, "rotation_rpm = 60", "rotation_rpm = nan", "rotation_rpm"},
+      {pipes, "length_m = 150", "length_m = 0", "length_m = 0"},
+      {pipes, "inner_diameter_mm = 108.61", "inner_diameter_mm = 127", "must be below outer_diameter_mm"},
+      {pipes, "inner_diameter_mm = 108.61", "inner_diameter_mm = 108.61\nyoungs_modulus_GPa = 0",
+       "youngs_modulus_GPa = 0"},
+      {pipes, "step_ms = 0.1", "step_ms = 0", "step_ms = 0"},
+      {pipes, "step_ms = 0.1", "step_ms = -0.1", "step_ms = -0.1"},
+      {pipes, "step_ms = 0.1", "step_ms = 5", "would grow without limit"},
+      {pipes, "step_ms = 0.1", "step_ms = 20", "sample_ms"},
+      {pipes, "duration_s = 2", "duration_s = 1e9", "more than 10000000 rows"},
+      {pipes, "friction_radius_mm = 80.2", "", "friction_radius_mm"},
+      {pipes, "source = \"sinusoidal\"", "source = \"bit\"", "is needed by the source 'bit'"},
+      {pipes, "source = \"sinusoidal\"", "source = \"sine\"", "must be one of 'none', 'sinusoidal', 'noise', 'bit'"},
+      {pipes, "hook_load_kN = 25", "hookload_kN = 25", "hook_load_kN"},
+      {pipes, "[bit]", "[bit_rock]\nunloading = \"odd\"\n[bit]", "bit_rock.unloading = 'odd' (must be one of"},
+      {pipes, "[bit]", "[drilling]\nimposed_weight_kN = 3\n[bit]", "imposed_weight_kN"},
+      {pipes, "[bit]", "[bit_rock]\nstiffness_N_per_m = 0\n[bit]", "stiffness_N_per_m = 0"},
+      {pipes, "[bit]", "[wall]\nnormal_force_kN = [1]\n[bit]", "one entry for each torsional lump"},
+      {pipes, "[bit]", "[torsion]\ninertia_kg_m2 = [1]\n[bit]", "torsion"},
+      {chains, "stiffness_N_m_per_rad = [500, 400]", "stiffness_N_m_per_rad = [500, 0]", "stiffness_N_m_per_rad"},
+      {chains, "stiffness_N_m_per_rad = [500, 400]", "stiffness_N_m_per_rad = [500]", "has 1 entries (must have 2)"},
+      {chains, "inertia_kg_m2 = [10, 5]", "inertia_kg_m2 = [10, -5]", "inertia_kg_m2"},
+      {chains, "inertia_kg_m2 = [10, 5]", "inertia_kg_m2 = []", "must be a list of numbers"},
+      {chains, "inertia_kg_m2 = [10, 5]", "", "or [[pipe]]"},
+      {chains, "[torsion]", "[string]\n[torsion]", "[string] without [[pipe]]"},
+  };
+  for (const auto& c : cases) {
+    const std::string why = refusal(replaced(c.text, c.from, c.to));
+    EXPECT_NE(why.find(c.word), std::string::npos) << c.to << ": " << why;
+  }
+  EXPECT_EQ(refusal(pipes), "accepted");
+  EXPECT_EQ(refusal(chains), "accepted");
+}
+
+TEST(DrillCase, WarnsOfABitThatWillNotDrill) {
+  const auto warned = [](const std::string& text) {
+    const runtime::DrillCase drill = read(text);
+    std::string all;
+    for (const std::string& warning : runtime::warnings(drill, runtime::assemble(drill))) all += warning;
+    return all;
+  };
+  EXPECT_EQ(warned(pipes), "");
+  EXPECT_NE(warned(replaced(pipes, "hook_load_kN = 25", "hook_load_kN = 45")).find("will leave the rock"),
+            std::string::npos);
+  EXPECT_NE(warned(replaced(pipes, "[bit]", "[drilling]\nthreshold_weight_kN = 20\n[bit]")).find("nothing is cut"),
+            std::string::npos);
+  EXPECT_NE(warned(replaced(pipes, "rotation_rpm = 60", "rotation_rpm = 0")).find("does not turn"), std::string::npos);
+}
+
+runtime::DrillRun ran(const runtime::DrillCase& drill, const std::optional<surrogate::Model>& model = {}) {
+  return runtime::run_drill(drill, runtime::assemble(drill), runtime::make_source(drill, model));
+}
+
+TEST(DrillRun, GivesARowASampleAndASummaryOfEveryStep) {
+  const runtime::DrillRun run = ran(read(pipes));
+  EXPECT_EQ(run.steps, 20000);
+  EXPECT_EQ(run.series.time_s.size(), 201u);  // the beginning and 200 samples
+  EXPECT_NEAR(run.series.time_s.back(), 2.0, 1e-9);
+  EXPECT_EQ(run.series.progression_angle_rad.size(), 201u);
+  const runtime::DrillSummary& s = run.summary;
+  for (const double rotation : run.series.bit_rotation_rad_per_s) {
+    EXPECT_LE(rotation, s.bit_rotation.highest + 1e-12);
+    EXPECT_GE(rotation, std::min(s.bit_rotation.lowest, run.series.bit_rotation_rad_per_s.front()));
+  }
+  EXPECT_GT(s.drilled, 0.0);
+  // what the sinusoid was asked for, as far as 2 s hold whole waves: 6 of them, less what start-up detunes
+  EXPECT_NEAR(s.source_force.mean, 2e3, 10.0);
+  EXPECT_NEAR(s.source_force.deviation, 500.0, 10.0);
+  EXPECT_NEAR(s.source_torque.mean, 80.0, 0.5);
+  EXPECT_NEAR(s.source_torque.deviation, 20.0, 0.4);
+  EXPECT_LT(std::abs(s.energy_residual), 1e-3);
+}
+
+TEST(DrillRun, ShortensTheStepToFitTheSamples) {
+  EXPECT_NEAR(runtime::step_of({.step = 1e-4, .sample = 1e-2}), 1e-4, 1e-18);
+  EXPECT_NEAR(runtime::step_of({.step = 3e-4, .sample = 1e-3}), 2.5e-4, 1e-18);
+}
+
+TEST(DrillRun, OfABitWithoutRotationNothingIsCut) {
+  const runtime::DrillRun run = ran(read(replaced(pipes, "rotation_rpm = 60", "rotation_rpm = 0")));
+  EXPECT_NEAR(run.summary.drilled, 0.0, 1e-12);
+  EXPECT_EQ(run.series.progression_angle_rad.back(), 0.0);
+}
+
+runtime::DrillCase with_bit(const std::string& text) {
+  runtime::DrillCase drill = read(text);
+  drill.source.kind = runtime::SourceKind::bit;
+  drill.bit.name = "two cutters";
+  drill.bit.diameter = 0.22;
+  drill.bit.signal = runtime_test::usual_settings();
+  drill.bit.cutters = {{.number = 1, .radius = 0.06, .width = 0.02}, {.number = 2, .radius = 0.1, .width = 0.01}};
+  return drill;
+}
+
+TEST(DrillRun, CountsWhatTheNetworksWereAskedOutsideTheirRange) {
+  const runtime::DrillCase drill = with_bit(pipes);
+  const runtime::DrillRun run = ran(drill, runtime_test::constant_model(runtime_test::usual_pair()));
+  // 12 kN at 60 rpm drills some 0.1 to 0.3 mm a turn: below or about the shallowest cut of 0.2 mm; rakes of 0 below 10
+  EXPECT_GT(run.summary.clamps.asked, 0);
+  EXPECT_EQ(run.summary.clamps.rake_below, run.summary.clamps.asked);
+  EXPECT_GT(run.summary.draws.drawn, 0);
+  EXPECT_THROW(runtime::make_source(drill, std::nullopt), base::InputError);
+}
+
+TEST(DrillRun, OfAnotherSeedIsAnotherRunAndOfTheSameSeedTheSame) {
+  runtime::DrillCase drill = with_bit(pipes);
+  const auto model = runtime_test::constant_model(runtime_test::usual_pair());
+  const runtime::DrillRun first = ran(drill, model), again = ran(drill, model);
+  EXPECT_EQ(first.series.bit_rotation_rad_per_s, again.series.bit_rotation_rad_per_s);
+  drill.source.seed = 99;
+  EXPECT_NE(first.series.bit_rotation_rad_per_s, ran(drill, model).series.bit_rotation_rad_per_s);
+}
+
+TEST(DrillRun, ACutterOnTheAxisIsRefused) {
+  runtime::DrillCase drill = with_bit(pipes);
+  drill.bit.cutters[0].radius = 0.0;
+  EXPECT_THROW(ran(drill, runtime_test::constant_model(runtime_test::usual_pair())), base::InputError);
+}
+
+TEST(DrillRun, AStepTakesNoMemory) {
+  const runtime::DrillString string = runtime::assemble(read(pipes));
+  const runtime::BitRockSource source = runtime::noise_excitation({2e3, 1e3}, {80.0, 20.0}, 0.02, 1);
+  runtime::DrillState state = runtime::beginning(string, source, true, 0.0);
+  const long before = allocations::so_far();
+  for (int i = 0; i < 1000; ++i) runtime::advance(string, state, source, 1e-4);
+  EXPECT_EQ(allocations::so_far(), before);
+}
+
+TEST(DrillFile, HoldsTheSeriesWithUnitsAndTheCase) {
+  const scratch::Folder folder("drill_file");
+  const runtime::DrillCase drill = read(pipes);
+  const runtime::DrillRun run = ran(drill);
+  const auto path = folder / "run.h5";
+  runtime::write_drill_run(run, drill, "", path);
+  const base::Hdf5Reader file(path);
+  file.require_format("bitrock-drill", 1);
+  EXPECT_EQ(file.doubles("/series/time_s"), run.series.time_s);
+  EXPECT_EQ(file.doubles("/series/weight_on_bit_N"), run.series.weight_on_bit_N);
+  EXPECT_EQ(file.text_attribute("config_toml"), runtime::resolved_toml(drill));
+  EXPECT_EQ(file.text_attribute("status"), "complete");
+}
+
+}  // namespace
