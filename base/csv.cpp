@@ -23,26 +23,31 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> cells;
+void split(std::string_view line, std::vector<std::string_view>& cells) {
+  cells.clear();
   for (;;) {
     const std::size_t comma = line.find(',');
     cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return cells;
+    if (comma == std::string_view::npos) return;
     line.remove_prefix(comma + 1);
   }
 }
 
-double parse_number(std::string_view text, const std::string& where, bool allow_not_finite) {
+bool is_number(std::string_view text, double& value) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   const std::string_view digits = plus ? text.substr(1) : text;
-  double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) {
-    throw InputError(fmt::format("{}: '{}' is not a number", where, text));
-  }
+  return error == std::errc() && end == digits.data() + digits.size();
+}
+
+/// `where` makes the text that says where the cell is: only called for a message, because it costs more than the
+/// number.
+template <class Where>
+double parse_number(std::string_view text, bool allow_not_finite, const Where& where) {
+  double value = 0.0;
+  if (!is_number(text, value)) throw InputError(fmt::format("{}: '{}' is not a number", where(), text));
   if (!allow_not_finite && !std::isfinite(value)) {
-    throw InputError(fmt::format("{}: {} (only finite numbers are allowed)", where, text));
+    throw InputError(fmt::format("{}: {} (only finite numbers are allowed)", where(), text));
   }
   return value;
 }
@@ -73,9 +78,24 @@ struct Column {
   std::size_t number = 0;  ///< among the columns of numbers
 };
 
+/// What is no header of a comma-separated table, though it would pass for one.
+void refuse_header(const std::vector<std::string_view>& cells, const std::string& where) {
+  const bool other_separator = cells.size() == 1 && cells[0].find_first_of(";\t") != std::string_view::npos;
+  if (other_separator) {
+    throw InputError(fmt::format("{}: one column, '{}' (columns are separated by commas)", where, cells[0]));
+  }
+  double value = 0.0;
+  const auto number =
+      std::find_if(cells.begin(), cells.end(), [&value](std::string_view cell) { return is_number(cell, value); });
+  if (number != cells.end()) {
+    throw InputError(fmt::format("{}: '{}' in the header (the first line gives the columns' names)", where, *number));
+  }
+}
+
 std::vector<Column> read_header(const std::vector<std::string_view>& cells, int line,
                                 const std::vector<std::string>& text_columns, CsvTable& table) {
   std::vector<Column> columns;
+  refuse_header(cells, fmt::format("{}:{}", table.source, line));
   for (const std::string_view cell : cells) {
     Column column{.name = std::string(cell), .number = table.names.size()};
     if (std::count(cells.begin(), cells.end(), cell) > 1) {
@@ -98,6 +118,7 @@ CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite,
   CsvTable table;
   table.source = path.string();
   std::vector<Column> columns;
+  std::vector<std::string_view> cells;
   std::string_view rest = content;
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some spreadsheets put it first
   if (rest.substr(0, byte_order_mark.size()) == byte_order_mark) rest.remove_prefix(byte_order_mark.size());
@@ -106,7 +127,7 @@ CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite,
     const std::string_view line = trimmed(rest.substr(0, newline));
     rest.remove_prefix(newline == std::string_view::npos ? rest.size() : newline + 1);
     if (line.empty() || line.front() == '#') continue;
-    const std::vector<std::string_view> cells = split(line);
+    split(line, cells);
     if (columns.empty()) {
       columns = read_header(cells, line_number, text_columns, table);
       continue;
@@ -121,8 +142,9 @@ CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite,
         table.texts[column.name].emplace_back(cells[i]);
         continue;
       }
-      const std::string where = fmt::format("{}:{}: column {}", table.source, line_number, column.name);
-      table.columns[column.number].push_back(parse_number(cells[i], where, allow_not_finite));
+      table.columns[column.number].push_back(parse_number(cells[i], allow_not_finite, [&] {
+        return fmt::format("{}:{}: column {}", table.source, line_number, column.name);
+      }));
     }
     table.lines.push_back(line_number);
   }

@@ -74,9 +74,12 @@ void add_train(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_parity(CLI::App& app);
 void add_signal(CLI::App& app);
+void add_drill(CLI::App& app);
 void add_report(CLI::App& app);
 void add_snapshot(CLI::App& app);
 void add_animate(CLI::App& app);
 void add_export(CLI::App& app);
+/// `export c`, `export matlab` and `export onnx`.
+void add_export_model(CLI::App& export_command);
 
 }  // namespace cli

@@ -1,4 +1,5 @@
-// bitrock export: results in the formats of other programs. `vtk`: the frames of a cut for ParaView.
+// bitrock export: results in the formats of other programs. `vtk`: the frames of a cut for ParaView. What takes a
+// trained model elsewhere is in export_model.cpp.
 #include <memory>
 
 #include "base/files.hpp"
@@ -78,6 +79,7 @@ void add_export(CLI::App& app) {
   vtk->add_option("-o,--output", options->output, "folder to write to")->default_val("vtk")->check(not_empty());
   add_common(*vtk, options->common);
   vtk->callback([options] { export_vtk(*options); });
+  add_export_model(*command);
 }
 
 }  // namespace cli

@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   cli::add_predict(app);
   cli::add_parity(app);
   cli::add_signal(app);
+  cli::add_drill(app);
   cli::add_report(app);
   cli::add_snapshot(app);
   cli::add_animate(app);

@@ -3,8 +3,11 @@
 
 #include <memory>
 
+#include "base/child_process.hpp"
+#include "base/errors.hpp"
 #include "base/files.hpp"
 #include "cli/command.hpp"
+#include "cli/parity_figures.hpp"
 #include "cli/report_parts.hpp"
 #include "surrogate/net/model_file.hpp"
 
@@ -14,56 +17,179 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string model_file, data_file, report_file;
+  std::string model_file, data_file, report_file, figures_folder, format;
+  bool unseen = false;
 };
 
 nlohmann::json as_json(const std::optional<double>& value) {
   return value ? nlohmann::json(*value) : nlohmann::json();
 }
 
-nlohmann::json as_json(const surrogate::ParitySummary& s) {
-  return {{"cases", s.cases},
-          {"mean_deviation", as_json(s.mean_deviation)},
-          {"max_deviation", as_json(s.max_deviation)},
-          {"mean_of_range", as_json(s.mean_of_range)},
-          {"max_of_range", as_json(s.max_of_range)},
-          {"rmse", as_json(s.rmse)},
-          {"r2", as_json(s.r2)},
-          {"dem_standard_error", as_json(s.dem_standard_error)}};
+nlohmann::json as_json(const std::optional<surrogate::NoiseAlone>& noise) {
+  if (!noise) return nullptr;
+  return {{"mean", noise->mean}, {"max", noise->max}, {"max_95", noise->high_max}};
 }
 
-std::string percent(const std::optional<double>& share) {
-  return share ? fmt::format("{:7.1f} %", 100.0 * *share) : "        -";
+nlohmann::json as_json(const surrogate::ParitySummary& s) {
+  return {{"cases", s.cases},
+          {"zero_cases", s.zero_cases},
+          {"mean_deviation", as_json(s.mean_deviation)},
+          {"max_deviation", as_json(s.max_deviation)},
+          {"noise_alone", as_json(s.noise_alone)},
+          {"mean_bias", as_json(s.mean_bias)},
+          {"mean_of_range", as_json(s.mean_of_range)},
+          {"max_of_range", as_json(s.max_of_range)},
+          {"noise_alone_of_range", as_json(s.noise_of_range)},
+          {"rmse", as_json(s.rmse)},
+          {"r2", as_json(s.r2)},
+          {"dem_standard_error", as_json(s.dem_standard_error)},
+          {"dem_standard_error_by_law", as_json(s.noise)},
+          {"rmse_over_standard_error", as_json(s.rmse_over_noise)}};
+}
+
+nlohmann::json as_json(const surrogate::OutputParity& output) {
+  nlohmann::json json = as_json(output.all);
+  json["unit"] = output.unit;
+  json["train"] = as_json(output.train);
+  json["validation"] = as_json(output.validation);
+  json["held_out"] = as_json(output.held_out);
+  json["verdict"] = verdict_text(output.judged);
+  json["times_noise"] = as_json(output.judged.ratio);
+  json["times_noise_low"] = as_json(output.judged.ratio_low);
+  json["times_noise_high"] = as_json(output.judged.ratio_high);
+  json["cases_above_noise"] = output.judged.cases_above;
+  json["model_error"] = as_json(output.judged.model_error);
+  return json;
+}
+
+void say_table(const CommonOptions& options, const surrogate::Parity& parity) {
+  const surrogate::OutputParity& first = parity.outputs.front();
+  say(options, "{}\n",
+      parity.has_held_out
+          ? fmt::format(
+                "{} cases held out of {}: deviations of the network from the DEM, beside what noise alone gives",
+                first.held_out.cases, first.all.cases)
+          : fmt::format("no case was held out: all {} cases, learnt from, so the network may follow their noise",
+                        first.all.cases));
+  constexpr const char* line = "{:<9} {:<5} {:>8} {:>8} {:>7}  {:>8} {:>7}  {:>8} {:>8}   {}\n";
+  say(options, line, "output", "unit", "DEM s.e.", "RMSE", "x s.e.", "mean dev", "(noise)", "max dev", "(noise)",
+      "verdict");
+  for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
+    const surrogate::OutputParity& output = parity.outputs[k];
+    const surrogate::ParitySummary& seen = parity.has_held_out ? output.held_out : output.all;
+    const auto [name, unit, factor] = shown(output, k);
+    const auto& noise = seen.noise_alone;
+    say(options, line, name, unit, number(seen.noise, factor), number(seen.rmse, factor), number(seen.rmse_over_noise),
+        percent(seen.mean_deviation), percent(noise ? std::optional(noise->mean) : std::nullopt),
+        percent(seen.max_deviation), percent(noise ? std::optional(noise->max) : std::nullopt),
+        verdict_text(output.judged));
+  }
+}
+
+void warn_of_data(const Options& options, const surrogate::Parity& parity) {
+  if (!parity.same_data && !options.unseen) {
+    warn(options.common,
+         fmt::format("{} is not the file the model learnt from; cases of the same number are taken for the same cases "
+                     "(--unseen if they are not)",
+                     options.data_file));
+  }
+  if (parity.outside_training_range > 0) {
+    warn(options.common, fmt::format("{} cases held out lie outside the training range: the networks extrapolate there",
+                                     parity.outside_training_range));
+  }
+  if (parity.law_degrees == 0) {
+    warn(options.common, "no case was cut more than once: nothing is known of the scatter of the data");
+  }
+}
+
+report::PictureFormat picture_format(const Options& options) {
+  return options.format == "pdf" ? report::PictureFormat::pdf : report::PictureFormat::png;
+}
+
+std::filesystem::path in_folder(const Options& options, const report::Figure& figure, const std::string& ending) {
+  return std::filesystem::path(options.figures_folder) / (figure.name + "." + ending);
+}
+
+/// Draws into a file aside, which becomes the picture when it is whole.
+void draw(const Options& options, const report::Figure& figure) {
+  const std::filesystem::path picture = in_folder(options, figure, options.format);
+  const std::string part = picture.filename().string() + ".part";
+  std::string folder;  // between single quotes of gnuplot, where a quote is written twice
+  for (const char c : std::filesystem::absolute(options.figures_folder).string()) {
+    folder += c;
+    if (c == '\'') folder += c;
+  }
+  const base::ProgramEnd end = base::run_program(
+      {"gnuplot", "-e", fmt::format("cd '{}'; picture = '{}'; load '{}.gp'", folder, part, figure.name)});
+  if (end.status != 0) {
+    throw base::SimulationError(fmt::format("gnuplot could not draw {} (status {}): {}",
+                                            in_folder(options, figure, "gp").string(), end.status, end.output));
+  }
+  std::filesystem::rename(picture.string() + ".part", picture);
+}
+
+void write_figures(const Options& options, const std::vector<report::Figure>& figures) {
+  const bool can_draw = base::is_installed("gnuplot");
+  for (const report::Figure& figure : figures) {
+    const report::GnuplotFiles files = report::gnuplot_files(figure, picture_format(options));
+    base::write_whole(in_folder(options, figure, "csv"), files.table);
+    base::write_whole(in_folder(options, figure, "gp"), files.script);
+    if (can_draw) draw(options, figure);
+  }
+  if (can_draw) {
+    say(options.common, "-> {}: {} figures, each .{} with its .gp and .csv\n", options.figures_folder, figures.size(),
+        options.format);
+  } else {
+    warn(options.common,
+         fmt::format("gnuplot is not installed (apt-get install gnuplot-nox), so nothing was drawn; the "
+                     "scripts and tables are in {}: there, gnuplot parity_x.gp and so on will do",
+                     options.figures_folder));
+  }
+}
+
+void write_page(const Options& options, const surrogate::Model& model, const surrogate::Parity& parity) {
+  report::Page page("Network against DEM", model.rock);
+  page.section("Parity");
+  add_parity(page, model, parity);
+  page.section("Learning");
+  add_learning_curves(page, model);
+  base::write_whole(options.report_file, page.html());
+  say(options.common, "-> {}\n", options.report_file);
+}
+
+std::vector<report::Figure> all_figures(const surrogate::Parity& parity) {
+  std::vector<report::Figure> figures = parity_figures(parity);
+  for (report::Figure& figure : residual_figures(parity)) figures.push_back(std::move(figure));
+  return figures;
 }
 
 void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
   const surrogate::TrainingData data = surrogate::read_training_data(options.data_file);
+  const surrogate::Parity parity = surrogate::parity(
+      model, data, options.unseen ? surrogate::CaseNumbers::of_another_study : surrogate::CaseNumbers::as_in_training);
+  std::vector<report::Figure> figures;
   std::vector<std::filesystem::path> outputs;
   if (!options.report_file.empty()) outputs.emplace_back(options.report_file);
+  if (!options.figures_folder.empty()) figures = all_figures(parity);
+  for (const report::Figure& figure : figures) {
+    for (const std::string& ending : {std::string("csv"), std::string("gp"), options.format}) {
+      outputs.push_back(in_folder(options, figure, ending));
+    }
+  }
   require_outputs(options.common, {options.model_file, options.data_file}, outputs);
-  const surrogate::Parity parity = surrogate::parity(model, data);
 
+  say_table(options.common, parity);
+  warn_of_data(options, parity);
+  if (!options.report_file.empty()) write_page(options, model, parity);
+  if (!options.figures_folder.empty()) write_figures(options, figures);
   nlohmann::json result;
-  say(options.common, "{:<16} {:>10} {:>9} {:>9} {:>10}   (deviation from the DEM, relative)\n", "output", "train mean",
-      "max", "test mean", "max");
-  for (const surrogate::OutputParity& output : parity.outputs) {
-    result[output.name] = as_json(output.all);
-    result[output.name]["train"] = as_json(output.train);
-    result[output.name]["test"] = as_json(output.test);
-    say(options.common, "{:<16} {} {} {} {}\n", output.name, percent(output.train.mean_deviation),
-        percent(output.train.max_deviation), percent(output.test.mean_deviation), percent(output.test.max_deviation));
-  }
-  if (!options.report_file.empty()) {
-    report::Page page("Network against DEM", model.rock);
-    page.section("Parity", "On the line the network says what the DEM gave; the band is \u00b115 %.");
-    add_parity(page, model, data, parity);
-    page.section("Learning");
-    add_learning_curves(page, model);
-    base::write_whole(options.report_file, page.html());
-    say(options.common, "-> {}\n", options.report_file);
-  }
-  write_json(options.common, {{"outputs", result}, {"same_data", parity.same_data}});
+  for (const surrogate::OutputParity& output : parity.outputs) result[output.name] = as_json(output);
+  write_json(options.common, {{"outputs", result},
+                              {"same_data", parity.same_data},
+                              {"has_held_out", parity.has_held_out},
+                              {"scatter_degrees_of_freedom", parity.law_degrees},
+                              {"outside_training_range", parity.outside_training_range}});
 }
 
 }  // namespace
@@ -72,8 +198,17 @@ void add_parity(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("parity", "compare a model with DEM data, beside the scatter of the data");
   command->add_option("model", options->model_file, "model.json")->required();
-  command->add_option("data", options->data_file, "features.csv")->required();
+  command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
   command->add_option("--report", options->report_file, "HTML file to write")->check(not_empty());
+  command
+      ->add_option("--figures", options->figures_folder,
+                   "folder for the plots as pictures, with the gnuplot script and the table of each")
+      ->check(not_empty());
+  command->add_option("--format", options->format, "of the pictures")
+      ->check(CLI::IsMember({"png", "pdf"}))
+      ->default_val("png");
+  command->add_flag("--unseen", options->unseen,
+                    "the data are of another study: whatever their case numbers, the model has seen none of them");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -1,12 +1,16 @@
-// bitrock peaks: the five statistics of any force history.
-#include "peaks/statistics.hpp"
-
+// bitrock peaks: the statistics of any force history, in all and by part of the window, and its time without force.
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
 #include "cli/command.hpp"
+#include "peaks/parts.hpp"
+#include "peaks/statistics.hpp"
+#include "peaks/zero_force.hpp"
 
 namespace cli {
 
@@ -15,6 +19,7 @@ namespace {
 struct Options {
   CommonOptions common;
   std::string file, column;
+  int parts = 4;
 };
 
 struct History {
@@ -25,16 +30,20 @@ struct History {
 
 History from_hdf5(const Options& options) {
   const base::Hdf5Reader file(options.file);
+  file.require_checksum();
   History history;
   history.column = options.column.empty() ? "x_N_per_m" : options.column;
   const std::string path = history.column.front() == '/' ? history.column : "/force/" + history.column;
+  if (!file.has(path)) {
+    throw base::InputError(fmt::format("{}: no {} (a run has x_N_per_m and y_N_per_m)", options.file, history.column));
+  }
   history.force = file.doubles(path);
   if (file.has("/force/time_s")) history.time = file.doubles("/force/time_s");
   return history;
 }
 
 History from_csv(const Options& options) {
-  const base::CsvTable table = base::read_csv(options.file);
+  const base::CsvTable table = base::read_csv(options.file, true);  // a NaN is a sample that is missing
   History history;
   history.column = options.column;
   if (history.column.empty()) {
@@ -48,9 +57,57 @@ History from_csv(const Options& options) {
     }
     history.column = forces.front();
   }
+  if (!table.has(history.column)) {
+    throw base::InputError(
+        fmt::format("{}: no column {} (there are: {})", options.file, history.column, fmt::join(table.names, ", ")));
+  }
   history.force = table.column(history.column);
   if (table.has("time_s")) history.time = table.column("time_s");
   return history;
+}
+
+/// A time axis by which parts can be told: whole, finite, and never falling.
+void require_good_time(const History& history, const std::string& file) {
+  const std::vector<double>& time = history.time;
+  if (time.size() != history.force.size()) {
+    throw base::InputError(
+        fmt::format("{}: {} values in {} but {} times", file, history.force.size(), history.column, time.size()));
+  }
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (!std::isfinite(time[i])) {
+      throw base::InputError(fmt::format("{}: time_s of sample {} is {} (must be a finite number)", file, i, time[i]));
+    }
+    if (i > 0 && time[i] < time[i - 1]) {
+      throw base::InputError(
+          fmt::format("{}: time_s falls from {} to {} at sample {} (must rise)", file, time[i - 1], time[i], i));
+    }
+  }
+  if (time.size() > 1 && !(time.back() > time.front())) {
+    throw base::InputError(fmt::format("{}: time_s is {} in all samples (must rise)", file, time.front()));
+  }
+}
+
+void require_good(const History& history, const Options& options) {
+  const std::vector<double>& force = history.force;
+  if (std::all_of(force.begin(), force.end(), [](double value) { return std::isnan(value); })) {
+    throw base::InputError(fmt::format("{}: no number in {}", options.file, history.column));
+  }
+  if (!history.time.empty()) require_good_time(history, options.file);
+}
+
+/// Mean distance of samples [s]; NaN without times.
+double mean_spacing(const std::vector<double>& time) {
+  if (time.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+}
+
+/// Whether shares of samples are shares of time: no sample is farther from its place than one spacing.
+bool evenly_spaced(const std::vector<double>& time) {
+  const double spacing = mean_spacing(time);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (std::abs(time[i] - time.front() - spacing * static_cast<double>(i)) > spacing) return false;
+  }
+  return true;
 }
 
 /// The unit a column's name ends in, as far as forces have one; empty otherwise.
@@ -61,32 +118,118 @@ std::string unit_of(const std::string& column) {
   return "";
 }
 
-void run(const Options& options) {
-  const bool hdf5 = options.file.ends_with(".h5") || options.file.ends_with(".hdf5");
-  const History history = hdf5 ? from_hdf5(options) : from_csv(options);
-  if (!history.time.empty() && history.time.size() != history.force.size()) {
-    throw base::InputError(fmt::format("{}: {} values in {} but {} times", options.file, history.force.size(),
-                                       history.column, history.time.size()));
+nlohmann::json or_null(bool known, double value) {
+  return known ? nlohmann::json(value) : nlohmann::json();
+}
+
+nlohmann::json numbers(const peaks::PeakStatistics& s) {
+  return {{"amax", s.amax}, {"amean", s.amean}, {"np1", s.np1}, {"np23", s.np23}, {"np4", s.np4}, {"count", s.count()}};
+}
+
+nlohmann::json list_of(const std::vector<peaks::Part>& parts, const std::vector<double>& time) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const peaks::Part& part : parts) {
+    nlohmann::json entry = numbers(part.peaks);
+    entry["begin_index"] = part.begin;
+    entry["end_index"] = part.end;
+    entry["begin_s"] = part.begin < part.end && !time.empty() ? nlohmann::json(time[part.begin]) : nlohmann::json();
+    entry["zero_force_share"] = or_null(part.zero_force.samples > 0, part.zero_force.quiet_share());
+    list.push_back(std::move(entry));
   }
-  require_outputs(options.common, {options.file}, {});
-  const peaks::PeakStatistics s = peaks::peak_statistics(history.force);
+  return list;
+}
+
+nlohmann::json list_of_peaks(const History& history) {
   nlohmann::json list = nlohmann::json::array();
   for (const std::size_t i : peaks::counted_peaks(history.force)) {
     list.push_back({{"index", i},
                     {"time_s", history.time.empty() ? nlohmann::json() : nlohmann::json(history.time[i])},
                     {"height", history.force[i]}});
   }
+  return list;
+}
+
+/// Everything that `peaks` finds in a history.
+struct Findings {
+  peaks::PeakStatistics all;
+  peaks::ZeroForce zero;
+  std::vector<peaks::Part> parts;
+  std::size_t not_a_number = 0, infinite = 0;  ///< samples that are NaN, +infinity
+  double mean_period = 0.0;                    ///< without force [s]
+  bool even = true;                            ///< samples are evenly spaced, as far as is known
+};
+
+Findings find(const History& history, int parts) {
+  const std::vector<double>& force = history.force;
+  Findings findings;
+  findings.all = peaks::peak_statistics(force);
+  findings.zero = peaks::zero_force(force, peaks::minimum_height(force));
+  findings.parts = peaks::statistics_by_part(force, history.time.size() > 1 ? peaks::part_borders(history.time, parts)
+                                                                            : peaks::part_borders(force.size(), parts));
+  findings.not_a_number = force.size() - findings.zero.samples;
+  findings.infinite =
+      static_cast<std::size_t>(std::count(force.begin(), force.end(), std::numeric_limits<double>::infinity()));
+  findings.mean_period = findings.zero.mean_period() * mean_spacing(history.time);
+  findings.even = evenly_spaced(history.time);
+  return findings;
+}
+
+void print(const Options& options, const History& history, const Findings& found) {
+  const std::string unit = unit_of(history.column);
+  const peaks::PeakStatistics& s = found.all;
   say(options.common, "{} of {}: {} samples, {} peaks\nA_max {:.6g}{}, A_mean {:.6g}{}, NP1 {}, NP23 {}, NP4 {}\n",
-      history.column, options.file, history.force.size(), s.count(), s.amax, unit_of(history.column), s.amean,
-      unit_of(history.column), s.np1, s.np23, s.np4);
-  write_json(options.common, {{"column", history.column},
-                              {"amax", s.amax},
-                              {"amean", s.amean},
-                              {"np1", s.np1},
-                              {"np23", s.np23},
-                              {"np4", s.np4},
-                              {"count", s.count()},
-                              {"peaks", list}});
+      history.column, options.file, history.force.size(), s.count(), s.amax, unit, s.amean, unit, s.np1, s.np23, s.np4);
+  const std::string length = history.time.size() > 1 ? fmt::format("{:.4g} ms", 1e3 * found.mean_period)
+                                                     : fmt::format("{:.4g} samples", found.zero.mean_period());
+  say(options.common,
+      "zero force (at most 1 % of the highest): {:.1f} % of the samples, periods {}, mean {}; "
+      "zero or negative: {:.1f} %\n",
+      100.0 * found.zero.quiet_share(), found.zero.periods, length, 100.0 * found.zero.not_positive_share());
+  for (std::size_t k = 0; k < found.parts.size(); ++k) {
+    const peaks::PeakStatistics& part = found.parts[k].peaks;
+    say(options.common, "part {} of {}: NP1 {}, NP23 {}, NP4 {}, A_mean {:.6g}{}, zero force {:.1f} %\n", k + 1,
+        found.parts.size(), part.np1, part.np23, part.np4, part.amean, unit,
+        100.0 * found.parts[k].zero_force.quiet_share());
+  }
+}
+
+void warn_about(const Options& options, const Findings& found) {
+  for (const auto& [what, count] : {std::pair{"not numbers", found.not_a_number}, {"infinite", found.infinite}}) {
+    if (count == 0) continue;
+    warn(options.common,
+         fmt::format("samples that are {}: {} (neither they nor their neighbours are counted as peaks)", what, count));
+  }
+  if (!found.even) {
+    warn(options.common, "time_s is not evenly spaced: zero-force shares are of samples, not of time");
+  }
+}
+
+void run(const Options& options) {
+  const bool hdf5 = options.file.ends_with(".h5") || options.file.ends_with(".hdf5");
+  const History history = hdf5 ? from_hdf5(options) : from_csv(options);
+  require_good(history, options);
+  require_outputs(options.common, {options.file}, {});
+  const Findings found = find(history, options.parts);
+  print(options, history, found);
+  warn_about(options, found);
+  if (options.common.json_file.empty()) return;
+  const bool timed = history.time.size() > 1;
+  nlohmann::json result = numbers(found.all);
+  result.update({{"column", history.column},
+                 {"samples", history.force.size()},
+                 {"not_a_number", found.not_a_number},
+                 {"infinite", found.infinite},
+                 {"minimum_height", peaks::minimum_height(history.force)},
+                 {"zero_force_share", found.zero.quiet_share()},
+                 {"not_positive_share", found.zero.not_positive_share()},
+                 {"zero_force_periods", found.zero.periods},
+                 {"zero_force_mean_samples", found.zero.mean_period()},
+                 {"zero_force_mean_s", or_null(timed, found.mean_period)},
+                 {"evenly_spaced", timed ? nlohmann::json(found.even) : nlohmann::json()},
+                 {"parts_by", timed ? "time" : "samples"},
+                 {"parts", list_of(found.parts, history.time)},
+                 {"peaks", list_of_peaks(history)}});
+  write_json(options.common, result);
 }
 
 }  // namespace
@@ -97,6 +240,9 @@ void add_peaks(CLI::App& app) {
   command->add_option("file", options->file, "run.h5, or a CSV with a header")->required();
   command->add_option("--column", options->column,
                       "which force (default: x_N_per_m, or the only CSV column beside time_s)");
+  command->add_option("--parts", options->parts, "equal parts of the window in which peaks are also counted")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

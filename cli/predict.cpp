@@ -16,6 +16,7 @@ struct Options {
   std::string model_file;
   double speed = 0.0, depth_mm = 0.0, rake_deg = 0.0;
   double cut_length_mm = 0.0;  ///< 0: not asked for
+  bool strict = false;
 };
 
 nlohmann::json as_json(const surrogate::PeakStatisticsPrediction& p) {
@@ -44,6 +45,7 @@ void run(const Options& options) {
     std::string ranges;
     for (const surrogate::Variable& input : model.inputs)
       ranges += fmt::format("{}{} {:g} to {:g}", ranges.empty() ? "" : ", ", input.name, input.low, input.high);
+    if (options.strict) throw base::InputError(fmt::format("outside the training range ({})", ranges));
     fmt::print(stderr, "bitrock: warning: outside the training range ({}); this is an extrapolation\n", ranges);
   }
   for (const auto& [axis, p] : {std::pair{"x", prediction.x}, std::pair{"y", prediction.y}}) {
@@ -76,6 +78,7 @@ void add_predict(CLI::App& app) {
   command->add_option("--rake-deg", options->rake_deg, "back rake")->required()->check(finite());
   command->add_option("--cut-length-mm", options->cut_length_mm, "also say how many peaks a cut of this length has")
       ->check(finite_positive());
+  command->add_flag("--strict", options->strict, "outside the training range is an error, not a warning");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -83,8 +83,8 @@ void run(const Options& options) {
     add_learning_curves(page, model);
     if (std::filesystem::exists(data_file)) {
       const surrogate::TrainingData data = surrogate::read_training_data(data_file);
-      page.section("Network against DEM", "On the line the network says what the DEM gave; the band is \u00b115 %.");
-      add_parity(page, model, data, surrogate::parity(model, data));
+      page.section("Network against DEM");
+      add_parity(page, model, surrogate::parity(model, data));
     }
   }
   if (has_bit) {

@@ -1,9 +1,8 @@
-// Report chapters about networks and bit: learning curves, parity, force and torque of the whole bit.
+// Report chapters about networks and bit: learning curves, force and torque of the whole bit.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/csv.hpp"
@@ -11,57 +10,13 @@
 #include "base/files.hpp"
 #include "base/statistics.hpp"
 #include "cli/report_parts.hpp"
-#include "report/parity_plot.hpp"
 
 namespace cli {
 
 namespace {
 
-// A network of 71 parameters cannot be judged on fewer cases than about half of that.
-constexpr std::size_t enough_cases = 40;
-
 // The end of the bit's history is shown again, stretched, so that single peaks can be seen [s].
 constexpr double closer_look_s = 0.25;
-
-std::string percent(const std::optional<double>& share) {
-  return share ? fmt::format("{:.1f} %", 100.0 * *share) : "-";
-}
-std::string number(const std::optional<double>& value, double factor) {
-  return value ? fmt::format("{:.3g}", *value * factor) : "-";
-}
-
-/// An output as people read it: forces in kN/m, names without their unit.
-struct Shown {
-  std::string name, unit;
-  double factor;  ///< shown = value * factor
-};
-
-Shown shown(const surrogate::OutputParity& output, std::size_t index) {
-  constexpr const char* statistics[] = {"A_max", "A_mean", "NP1", "NP23", "NP4"};
-  const std::string force = index < surrogate::statistics_count ? "Fx " : "Fy ";
-  const std::string name = force + statistics[index % surrogate::statistics_count];
-  if (output.unit == "N/m") return {name, "kN/m", 1e-3};
-  return {name, output.unit, 1.0};
-}
-
-std::vector<report::Plot> parity_plots(const surrogate::Parity& parity, const std::map<int, std::string>& labels,
-                                       std::size_t from, std::size_t to) {
-  std::vector<report::Plot> plots;
-  for (std::size_t k = from; k < to; ++k) {
-    const surrogate::OutputParity& output = parity.outputs[k];
-    const auto [name, unit, factor] = shown(output, k);
-    std::vector<report::ParityPoint> points;
-    for (const surrogate::ParityPoint& point : output.points) {
-      points.push_back({.dem = point.dem_mean * factor,
-                        .network = point.prediction * factor,
-                        .dem_standard_error = point.dem_standard_error * factor,
-                        .is_test = point.role != surrogate::CaseRole::train,
-                        .label = labels.at(point.case_number)});
-    }
-    plots.push_back(report::parity_plot(name, unit, points));
-  }
-  return plots;
-}
 
 // Errors below this are drawn at the edge: a network that knows its few cases by heart says nothing there.
 constexpr double lowest_drawn_error = 1e-8;
@@ -69,11 +24,7 @@ constexpr double lowest_drawn_error = 1e-8;
 report::Plot learning_plot(const surrogate::Model& model, const std::string& title, std::size_t from, std::size_t to) {
   constexpr report::Colour colours[] = {report::Colour::blue, report::Colour::vermillion, report::Colour::green,
                                         report::Colour::purple, report::Colour::orange};
-  report::Plot plot{.title = title,
-                    .x_label = "epoch",
-                    .y_label = "mean squared error [scaled, 1]",
-
-                    .log_y = true};
+  report::Plot plot{.title = title, .x_label = "epoch", .y_label = "mean squared error [scaled, 1]", .log_y = true};
   for (std::size_t k = from; k < to; ++k) {
     const surrogate::OutputModel& output = model.outputs[k];
     report::Series train{.name = output.variable.name, .colour = colours[k - from]},
@@ -115,42 +66,6 @@ void add_learning_curves(report::Page& page, const surrogate::Model& model) {
   page.plots_in_row({learning_plot(model, "Cutting force x", 0, surrogate::statistics_count),
                      learning_plot(model, "Axial force y", surrogate::statistics_count, surrogate::output_count)},
                     "Mean squared error over the epochs. Solid: cases learnt from. Dashed: test cases.");
-}
-
-void add_parity(report::Page& page, const surrogate::Model& model, const surrogate::TrainingData& data,
-                const surrogate::Parity& parity) {
-  std::map<int, std::string> labels;
-  for (const surrogate::TrainingRow& row : data.rows) {
-    labels[row.case_number] = fmt::format("case {}: {:g} m/s, {:g} mm, {:g}\u00b0", row.case_number, row.inputs[0],
-                                          row.inputs[1], row.inputs[2]);
-  }
-  const std::size_t cases = labels.size();
-  if (cases < enough_cases) {
-    page.note(fmt::format(
-        "Only {} cases: far too few to learn from ({} parameters a network). The networks can learn the {} cases they "
-        "were trained on by heart; what they say elsewhere, including the {} test cases, is a guess. Expect the parity "
-        "to be poor: this page shows the path, not a result.",
-        cases, surrogate::parameter_count(model.outputs[0].network.layers), model.provenance.train_cases.size(),
-        model.provenance.test_cases.size()));
-  }
-  report::Table table{.caption =
-                          "Network against DEM. Deviations are relative to the DEM value; the standard error is the "
-                          "DEM's own, over seeds (- with one seed).",
-                      .header = {"output", "unit", "DEM std. error", "RMSE train", "mean dev. train", "max dev. train",
-                                 "RMSE test", "mean dev. test", "max dev. test"}};
-  for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
-    const surrogate::OutputParity& output = parity.outputs[k];
-    const auto [name, unit, factor] = shown(output, k);
-    table.rows.push_back({name, unit, number(output.all.dem_standard_error, factor), number(output.train.rmse, factor),
-                          percent(output.train.mean_deviation), percent(output.train.max_deviation),
-                          number(output.test.rmse, factor), percent(output.test.mean_deviation),
-                          percent(output.test.max_deviation)});
-  }
-  page.plots_in_row(parity_plots(parity, labels, 0, surrogate::statistics_count),
-                    "Cutting force x: what the network says against what the DEM gave.");
-  page.plots_in_row(parity_plots(parity, labels, surrogate::statistics_count, surrogate::output_count),
-                    "Axial force y: what the network says against what the DEM gave.");
-  page.table(table);
 }
 
 void add_bit_force(report::Page& page, const std::filesystem::path& csv, const std::filesystem::path& json) {

@@ -8,7 +8,6 @@
 #include "dem2d/output/run_file.hpp"
 #include "report/page.hpp"
 #include "surrogate/net/model.hpp"
-#include "surrogate/train/data.hpp"
 #include "surrogate/train/parity.hpp"
 
 namespace cli {
@@ -26,8 +25,8 @@ void add_fracture_picture(report::Page& page, const dem2d::RunFile& run);
 
 void add_learning_curves(report::Page& page, const surrogate::Model& model);
 
-void add_parity(report::Page& page, const surrogate::Model& model, const surrogate::TrainingData& data,
-                const surrogate::Parity& parity);
+/// Network against DEM: a verdict for each output, parity and residual plots, all numbers.
+void add_parity(report::Page& page, const surrogate::Model& model, const surrogate::Parity& parity);
 
 /// `csv` as written by `bitrock signal`; `json` its result, or empty.
 void add_bit_force(report::Page& page, const std::filesystem::path& csv, const std::filesystem::path& json);

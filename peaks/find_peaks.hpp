@@ -1,13 +1,20 @@
 #pragma once
 /// Local maxima of a sampled signal, with the meaning of MATLAB's `findpeaks` (R2014b and later), which the article
-/// used.
+/// used. With y(1 ... n) the signal and H the least height:
 ///
-/// A peak is a sample that is higher than its left neighbour and, after any run of equal samples, higher than what
-/// follows the run. A flat top is one peak, at its first sample. The first and the last sample, a flat top that touches
-/// either end, and a sample next to a NaN are never peaks. Only peaks strictly higher than `minimum_height` are kept.
-/// Positive infinity is always a peak and is not compared with the height; its neighbours see it as a NaN.
+///     1. samples that are +infinity are set aside, and a NaN takes their place;
+///     2. a NaN goes before and after the signal, and a run of equal neighbours (of NaN, too) becomes its first sample;
+///     3. a peak is where sign(y(i) - y(i-1)) goes from +1 to -1;
+///     4. peaks with y > H stay; then the infinite samples come back, whatever H is, and all are in order of
+///     occurrence.
 ///
-/// Source: [MathWorksFindpeaks] for the documented behaviour (order of occurrence, strict height, flat peaks).
+/// Hence a flat top is one peak, at its first sample. The first and the last sample, a flat top that touches either
+/// end, and a sample next to a NaN or to an infinity are never peaks; an infinite sample always is, at an end and in a
+/// run too. A peak of height H is none. -infinity is a number like any other. Difference: for fewer than three samples
+/// MATLAB refuses to answer; here they have no peak (an infinite one excepted).
+///
+/// Source: [MathWorksFindpeaks] for the documented behaviour (order of occurrence, strict height, flat peaks); ends,
+/// NaN and infinities as its implementation treats them, known second-hand.
 
 #include <cstddef>
 #include <limits>
@@ -16,8 +23,7 @@
 
 namespace peaks {
 
-/// Indices (0-based) in order of occurrence. Fewer than three samples have no inner sample, hence no peak
-/// (an infinite sample excepted).
+/// Indices (0-based) in order of occurrence.
 std::vector<std::size_t> find_peaks(std::span<const double> signal,
                                     double minimum_height = -std::numeric_limits<double>::infinity());
 

@@ -1,39 +1,62 @@
 #include "peaks/statistics.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
-#include "peaks/find_peaks.hpp"
+#include "peaks/scan.hpp"
 
 namespace peaks {
 
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The statistics with bands that are shares of `scale`.
+PeakStatistics gather(std::span<const double> signal, double least, double scale) {
+  PeakStatistics statistics;
+  double sum = 0.0;
+  for_each_peak(signal, least, [&](std::size_t i) {
+    const double height = signal[i];
+    if (height == infinity) return;
+    statistics.amax = std::max(statistics.amax, height);
+    sum += height;
+    count_in_band(statistics, height, scale);
+  });
+  if (statistics.count() > 0) statistics.amean = sum / static_cast<double>(statistics.count());
+  return statistics;
+}
+
+}  // namespace
+
+double minimum_height(std::span<const double> signal) {
+  return height_threshold * highest_finite(signal);
+}
+
 std::vector<std::size_t> counted_peaks(std::span<const double> signal) {
-  double highest = 0.0;
-  for (const double value : signal) {
-    if (std::isfinite(value)) highest = std::max(highest, value);
-  }
-  if (highest <= 0.0) return {};
-  std::vector<std::size_t> found = find_peaks(signal, height_threshold * highest);
-  std::erase_if(found,
-                [&signal](std::size_t i) { return !std::isfinite(signal[i]); });  // an infinite force has no height
+  std::vector<std::size_t> found;
+  const double highest = highest_finite(signal);
+  if (highest <= 0.0) return found;
+  found.reserve(signal.size() / 8);  // as find_peaks does
+  for_each_peak(signal, height_threshold * highest, [&](std::size_t i) {
+    if (signal[i] < infinity) found.push_back(i);
+  });
   return found;
 }
 
 PeakStatistics peak_statistics(std::span<const double> signal) {
-  PeakStatistics statistics;
-  const std::vector<std::size_t> found = counted_peaks(signal);
-  if (found.empty()) return statistics;
-  double sum = 0.0;
-  for (const std::size_t i : found) {
-    statistics.amax = std::max(statistics.amax, signal[i]);
-    sum += signal[i];
-  }
-  statistics.amean = sum / static_cast<double>(found.size());
-  for (const std::size_t i : found) {
-    const double share = signal[i] / statistics.amax;
-    (share > upper_band_edge ? statistics.np1 : share > lower_band_edge ? statistics.np23 : statistics.np4) += 1;
-  }
-  return statistics;
+  const double highest = highest_finite(signal);
+  if (highest <= 0.0) return {};
+  // The highest sample nearly always is a peak, hence A_max, and one pass is enough.
+  const PeakStatistics statistics = gather(signal, height_threshold * highest, highest);
+  return statistics.amax == highest ? statistics : gather(signal, height_threshold * highest, statistics.amax);
+}
+
+void count_in_band(PeakStatistics& statistics, double height, double amax) {
+  const double share = height / amax;
+  const bool upper = share > upper_band_edge, lower = share <= lower_band_edge;
+  statistics.np1 += upper ? 1 : 0;  // added without a branch: which band comes next cannot be guessed
+  statistics.np4 += lower ? 1 : 0;
+  statistics.np23 += upper || lower ? 0 : 1;
 }
 
 }  // namespace peaks

@@ -8,6 +8,10 @@
 ///
 /// The article does not say to which band an edge belongs; here a band owns its upper edge. Heights are in the unit of
 /// the signal, N/m for the DEM. A signal without a positive sample or without a peak has five zeros.
+///
+/// The highest sample is a peak, and A_max its height, unless it lies at an end or beside a NaN: then it still sets the
+/// least height, so the lowest band may begin above 0.01 A_max. Infinite samples have no height: they are no peaks
+/// here, and the highest sample is the highest finite one.
 
 #include <cstddef>
 #include <span>
@@ -29,9 +33,15 @@ struct PeakStatistics {
   int count() const { return np1 + np23 + np4; }
 };
 
+/// What a peak must exceed: `height_threshold` of the highest finite sample; 0 when none is positive.
+double minimum_height(std::span<const double> signal);
+
 /// Indices of the peaks that count.
 std::vector<std::size_t> counted_peaks(std::span<const double> signal);
 
 PeakStatistics peak_statistics(std::span<const double> signal);
+
+/// Adds a peak of that height to the count of its band.
+void count_in_band(PeakStatistics& statistics, double height, double amax);
 
 }  // namespace peaks

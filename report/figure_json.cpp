@@ -21,6 +21,9 @@ constexpr const char* ink = "#1d2733";
 constexpr const char* muted = "#5b6774";
 constexpr const char* grid_line = "#e7ebef";
 
+// More markers than this are drawn smaller.
+constexpr std::size_t many_markers = 60;
+
 /// More digits than a screen can show would only make the page longer.
 Json number(double value) {
   if (!std::isfinite(value)) return nullptr;
@@ -73,7 +76,7 @@ std::vector<std::size_t> drawn(const Series& series) {
 }
 
 Json error_bar(std::span<const double> half, std::span<const std::size_t> kept, const std::string& colour) {
-  return {{"type", "data"}, {"array", numbers(half, kept)}, {"color", colour}, {"thickness", 1.2}, {"width", 3}};
+  return {{"type", "data"}, {"array", numbers(half, kept)}, {"color", colour + "80"}, {"thickness", 1.2}, {"width", 3}};
 }
 
 /// A closed outline: the lower edge forwards, the upper edge back.
@@ -111,7 +114,7 @@ Json line_or_marker_trace(const Series& series, const std::string& colour) {
   if (!is_line(series.style) || series.style == Style::line_and_markers) {
     trace["marker"] = {{"color", colour},
                        {"symbol", marker_name(series.marker)},
-                       {"size", 8},
+                       {"size", kept.size() > many_markers ? 6 : 8},
                        {"line", {{"color", "#ffffff"}, {"width", 0.8}}}};
   }
   if (!series.error_x.empty()) trace["error_x"] = error_bar(series.error_x, kept, colour);

@@ -45,16 +45,17 @@ Series band(const AxisRange& range) {
   return series;
 }
 
-Series cases(std::span<const ParityPoint> points, bool test) {
-  Series series{.name = test ? "test: not seen in training" : "training",
-                .x = {},
-                .y = {},
-                .style = Style::markers,
-                .colour = test ? Colour::vermillion : Colour::blue,
-                .marker = test ? Marker::diamond : Marker::circle};
+constexpr CaseKind kinds[] = {CaseKind::training, CaseKind::validation, CaseKind::held_out};
+
+bool has_kind(std::span<const ParityPoint> points, CaseKind kind) {
+  return std::any_of(points.begin(), points.end(), [kind](const ParityPoint& point) { return point.kind == kind; });
+}
+
+Series cases(std::span<const ParityPoint> points, CaseKind kind) {
+  Series series = case_series(kind);
   bool has_error = false;
   for (const ParityPoint& point : points) {
-    if (point.is_test != test) continue;
+    if (point.kind != kind) continue;
     series.x.push_back(point.dem);
     series.y.push_back(point.network);
     series.error_x.push_back(known_error(point));
@@ -65,28 +66,43 @@ Series cases(std::span<const ParityPoint> points, bool test) {
   return series;
 }
 
-std::string count_inside(std::span<const ParityPoint> points, bool test) {
+std::string share_inside(std::span<const ParityPoint> points, CaseKind kind) {
   int inside = 0, all = 0;
   for (const ParityPoint& point : points) {
-    if (point.is_test != test || !drawable(point)) continue;
+    if (point.kind != kind || !drawable(point)) continue;
     ++all;
     if (std::abs(point.network - point.dem) <= parity_band * std::abs(point.dem)) ++inside;
   }
-  return fmt::format("{} {} of {}", test ? "test" : "training", inside, all);
+  return fmt::format("{} {:.0f} %", case_series(kind).name, all > 0 ? 100.0 * inside / all : 0.0);
 }
 
 }  // namespace
+
+Series case_series(CaseKind kind) {
+  switch (kind) {
+    case CaseKind::held_out:
+      return {.name = "held out", .style = Style::markers, .colour = Colour::vermillion, .marker = Marker::diamond};
+    case CaseKind::validation:
+      return {.name = "validation", .style = Style::markers, .colour = Colour::green, .marker = Marker::square};
+    case CaseKind::training:
+      break;
+  }
+  return {.name = "training", .style = Style::markers, .colour = Colour::blue, .marker = Marker::circle};
+}
 
 Plot parity_plot(std::string title, const std::string& unit, std::span<const ParityPoint> points) {
   const std::string suffix = unit.empty() || unit == "1" ? "" : " [" + unit + "]";
   const AxisRange range = common_range(points);
   Plot plot{.title = std::move(title), .x_label = "DEM" + suffix, .y_label = "network" + suffix};
   plot.series = {band(range),
-                 {.name = "equal", .x = {range.low, range.high}, .y = {range.low, range.high}, .colour = Colour::grey},
-                 cases(points, false),
-                 cases(points, true)};
-  plot.caption = fmt::format("Within {:.0f} %: {}, {}.", 100.0 * parity_band, count_inside(points, false),
-                             count_inside(points, true));
+                 {.name = "equal", .x = {range.low, range.high}, .y = {range.low, range.high}, .colour = Colour::grey}};
+  std::string shares;
+  for (const CaseKind kind : kinds) {
+    if (!has_kind(points, kind)) continue;
+    plot.series.push_back(cases(points, kind));
+    shares += (shares.empty() ? "" : ", ") + share_inside(points, kind);
+  }
+  if (!shares.empty()) plot.caption = fmt::format("Within {:.0f} %: {}.", 100.0 * parity_band, shares);
   plot.equal_axes = true;
   plot.square = true;
   plot.x_range = range;

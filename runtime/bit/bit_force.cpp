@@ -2,19 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
 
 #include "base/errors.hpp"
 
 namespace runtime {
 
 namespace {
-
-constexpr double most_windows = 1e15;  // every window number below it is an exact double
 
 void require_usable(const Bit& bit) {
   const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
@@ -35,98 +29,141 @@ void require_usable(const Bit& bit) {
   }
 }
 
-void count(std::int64_t& below, std::int64_t& above, double asked, double answered) {
-  below += answered > asked ? 1 : 0;
-  above += answered < asked ? 1 : 0;
+/// What a failed `update` means here.
+[[noreturn]] void fail(bitrock_status status, const bitrock_core* core, const BitMotion& motion) {
+  if (status == BITROCK_BAD_PREDICTION) {
+    std::int64_t cutter = 0;
+    std::int32_t output = 0;
+    bitrock_core_fault(core, &cutter, &output);
+    throw base::SimulationError(fmt::format(
+        "cutter {}: predicted {} is not a finite number at rotation {} rad/s and rate of penetration {} m/s; "
+        "check the model file",
+        cutter, surrogate::output_names[static_cast<std::size_t>(output)].name, motion.rotation,
+        motion.rate_of_penetration));
+  }
+  throw base::SimulationError(fmt::format("bit at angle {} rad, rotation {} rad/s, rate of penetration {} m/s: {}",
+                                          motion.angle, motion.rotation, motion.rate_of_penetration,
+                                          bitrock_status_text(status)));
 }
 
-PeakStatistics plain(const surrogate::PeakStatisticsPrediction& prediction) {
-  return {.amax = prediction.amax,
-          .amean = prediction.amean,
-          .np1 = prediction.np1,
-          .np23 = prediction.np23,
-          .np4 = prediction.np4};
+bitrock_output plain(const surrogate::OutputModel& output, const std::vector<std::int32_t>& layers) {
+  return {.offset = output.variable.offset,
+          .scale = output.variable.scale,
+          .log_reference = output.log_reference,
+          .parameters = output.network.parameters.data(),
+          .layers = layers.data(),
+          .layer_count = static_cast<std::int32_t>(layers.size()),
+          .output_activation = static_cast<std::int32_t>(output.network.output)};
 }
 
 }  // namespace
 
-surrogate::CutConditions cut_conditions(const Cutter& cutter, const BitMotion& motion) {
-  const double rotation = std::max(motion.rotation, slowest_rotation);
-  return {.cutter_speed = rotation * cutter.radius,
-          .depth_of_cut = 2.0 * std::numbers::pi * motion.rate_of_penetration / rotation,
-          .back_rake = cutter.back_rake};
+CoreDescription describe(const Bit& bit, const surrogate::Model& model) {
+  CoreDescription description;
+  for (const Cutter& cutter : bit.cutters) {
+    description.cutters.push_back({.radius_m = cutter.radius,
+                                   .width_m = cutter.width,
+                                   .back_rake_rad = cutter.back_rake,
+                                   .number = cutter.number});
+  }
+  bitrock_description& plain_description = description.plain;
+  plain_description.signal = {.window_angle_rad = bit.signal.window_angle,
+                              .pulse_width_factor = bit.signal.pulse_width_factor,
+                              .combine = bit.signal.combine == Combine::max ? BITROCK_COMBINE_MAX : BITROCK_COMBINE_SUM,
+                              .amplitude_fit = bit.signal.amplitude_fit == AmplitudeFit::article
+                                                   ? BITROCK_FIT_ARTICLE
+                                                   : BITROCK_FIT_BAND_PRESERVING,
+                              .seed = bit.signal.seed,
+                              .average_window_s = 0.1};
+  plain_description.cutters = description.cutters.data();
+  plain_description.cutter_count = static_cast<std::int64_t>(description.cutters.size());
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const surrogate::Variable& input = model.inputs[i];
+    plain_description.model.inputs[i] = {
+        .low = input.low, .high = input.high, .offset = input.offset, .scale = input.scale};
+  }
+  for (const surrogate::OutputModel& output : model.outputs) {
+    description.layers.emplace_back(output.network.layers.begin(), output.network.layers.end());
+  }
+  for (std::size_t i = 0; i < model.outputs.size(); ++i) {
+    plain_description.model.outputs[i] = plain(model.outputs[i], description.layers[i]);
+  }
+  return description;
 }
 
-BitForce::BitForce(const Bit& bit, surrogate::Model model)
-    : bit_(bit), model_(std::move(model)), window_(std::numeric_limits<double>::quiet_NaN()) {
-  require_usable(bit_);
-  for (const Cutter& cutter : bit_.cutters) {
-    forces_.push_back(make_cutter_force(bit_.signal, cutter.number, cutter.radius));
+BitForce::BitForce(const Bit& bit, const surrogate::Model& model) {
+  require_usable(bit);
+  const CoreDescription description = describe(bit, model);
+  std::size_t bytes = 0;
+  bitrock_status status = bitrock_core_size(&description.plain, &bytes);
+  if (status == BITROCK_OK) {
+    memory_.resize((bytes + sizeof(double) - 1) / sizeof(double));
+    bitrock_core* made = nullptr;
+    status = bitrock_core_create(memory_.data(), bytes, &description.plain, &made);
   }
-}
-
-CutterStatistics BitForce::statistics(const Cutter& cutter, const BitMotion& motion) {
-  if (motion.rate_of_penetration <= 0.0) return {};
-  const surrogate::CutConditions asked = cut_conditions(cutter, motion);
-  const surrogate::CutConditions answered = clamped_to_training_range(model_, asked);
-  ++clamps_.asked;
-  count(clamps_.speed_below, clamps_.speed_above, asked.cutter_speed, answered.cutter_speed);
-  count(clamps_.depth_below, clamps_.depth_above, asked.depth_of_cut, answered.depth_of_cut);
-  count(clamps_.rake_below, clamps_.rake_above, asked.back_rake, answered.back_rake);
-  const surrogate::Prediction prediction = predict(model_, answered);
-  return {.x = plain(prediction.x), .y = plain(prediction.y)};
-}
-
-double BitForce::window_of(double angle) const {
-  const double window = std::floor(angle / bit_.signal.window_angle);
-  if (!(std::abs(window) < most_windows)) {
-    throw base::SimulationError(
-        fmt::format("bit angle {} rad (must be finite and below {:.0e} windows)", angle, most_windows));
+  if (status != BITROCK_OK) {
+    throw base::InputError(fmt::format("bit {} with the model of {}: {}", bit.name,
+                                       model.rock.empty() ? "unnamed rock" : model.rock, bitrock_status_text(status)));
   }
-  return window;
-}
-
-void BitForce::enter(double window, const BitMotion& motion) {
-  if (!std::isfinite(motion.rotation) || !std::isfinite(motion.rate_of_penetration)) {
-    throw base::SimulationError(
-        fmt::format("bit at window {:.0f}: rotation {} rad/s, rate of penetration {} m/s (must be finite)", window,
-                    motion.rotation, motion.rate_of_penetration));
-  }
-  for (std::size_t i = 0; i < forces_.size(); ++i) {
-    enter_window(forces_[i], static_cast<std::int64_t>(window), statistics(bit_.cutters[i], motion));
-  }
-  window_ = window;
 }
 
 BitLoad BitForce::at(const BitMotion& motion) {
-  BitLoad load;
-  along({&motion.angle, 1}, motion, {&load.axial_force, 1}, {&load.torque, 1});
-  return load;
+  bitrock_load load{};
+  const bitrock_status status =
+      bitrock_core_update(core(), motion.angle, motion.rotation, motion.rate_of_penetration, &load);
+  if (status != BITROCK_OK) fail(status, core(), motion);
+  return {.axial_force = load.axial_force_N, .torque = load.torque_N_m};
 }
 
 void BitForce::along(std::span<const double> angles, const BitMotion& motion, std::span<double> axial_force,
                      std::span<double> torque) {
-  for (std::size_t begin = 0, end = 0; begin < angles.size(); begin = end) {
-    const double window = window_of(angles[begin]);
-    while (end < angles.size() && window_of(angles[end]) == window) ++end;
-    if (window != window_) enter(window, motion);
-
-    const double start = window * bit_.signal.window_angle;
-    std::ranges::fill(axial_force.subspan(begin, end - begin), 0.0);
-    std::ranges::fill(torque.subspan(begin, end - begin), 0.0);
-    for (std::size_t i = 0; i < forces_.size(); ++i) {
-      const Cutter& cutter = bit_.cutters[i];
-      add_forces(forces_[i].train, bit_.signal.combine, angles.subspan(begin, end - begin), start,
-                 {.factor = cutter.width * cutter.radius, .total = torque.subspan(begin, end - begin)},
-                 {.factor = cutter.width, .total = axial_force.subspan(begin, end - begin)});
-    }
+  BitMotion here = motion;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    here.angle = angles[i];
+    const BitLoad load = at(here);
+    axial_force[i] = load.axial_force;
+    torque[i] = load.torque;
   }
 }
 
+ClampTally BitForce::clamps() const {
+  bitrock_tally tally{};
+  bitrock_core_tally(core(), &tally);
+  return {.asked = tally.asked,
+          .speed_below = tally.speed_below,
+          .speed_above = tally.speed_above,
+          .depth_below = tally.depth_below,
+          .depth_above = tally.depth_above,
+          .rake_below = tally.rake_below,
+          .rake_above = tally.rake_above};
+}
+
 DrawTally BitForce::draws() const {
-  DrawTally sum;
-  for (const CutterForce& force : forces_) sum.add(force.tally);
-  return sum;
+  bitrock_tally tally{};
+  bitrock_core_tally(core(), &tally);
+  return {.drawn = tally.drawn,
+          .mean_missed = tally.mean_missed,
+          .band_left = tally.band_left,
+          .narrowed = tally.narrowed,
+          .capped = tally.capped};
+}
+
+std::size_t BitForce::state_size() const {
+  std::size_t bytes = 0;
+  bitrock_core_state_size(core(), &bytes);
+  return bytes;
+}
+
+void BitForce::save(std::span<std::byte> state) const {
+  if (const bitrock_status status = bitrock_core_save(core(), state.data(), state.size()); status != BITROCK_OK) {
+    throw base::InputError(fmt::format("state of a bit: {}", bitrock_status_text(status)));
+  }
+}
+
+void BitForce::restore(std::span<const std::byte> state) {
+  if (const bitrock_status status = bitrock_core_restore(core(), state.data(), state.size()); status != BITROCK_OK) {
+    throw base::InputError(fmt::format("state of a bit: {}", bitrock_status_text(status)));
+  }
 }
 
 }  // namespace runtime

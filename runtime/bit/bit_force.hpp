@@ -1,13 +1,16 @@
 #pragma once
 /// Force and torque of the rock on a whole bit: the sum of its cutters, each rebuilt from what the network says about
-/// its own speed, depth and rake. Here, and only here, force per metre becomes force. It is told how the bit moves;
-/// what moves the bit, friction on worn faces and the fluid are not its business.
+/// its own speed, depth and rake. It is told how the bit moves; what moves the bit, friction on worn faces and the
+/// fluid are not its business. The law is in `core/core.hpp`, and there alone force per metre becomes force; this is
+/// the core with the comforts of C++: a bit and a model as read from files, memory of its own, errors in words.
 
-#include <cstdint>
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "runtime/bit/bit.hpp"
+#include "runtime/core/conditions.hpp"
+#include "runtime/export/bitrock_runtime.h"
 #include "runtime/signal/cutter_force.hpp"
 #include "surrogate/net/model.hpp"
 
@@ -26,71 +29,48 @@ struct BitLoad {
   double torque = 0.0;       ///< [N m] resists its rotation
 };
 
-/// How often the network was asked outside its training range and answered for the nearest edge instead. One count a
-/// question and reason; a question is asked per cutter and window.
-struct ClampTally {
-  std::int64_t asked = 0;
-  std::int64_t speed_below = 0, speed_above = 0;
-  std::int64_t depth_below = 0, depth_above = 0;
-  std::int64_t rake_below = 0, rake_above = 0;
-
-  std::int64_t clamped() const {
-    return speed_below + speed_above + depth_below + depth_above + rake_below + rake_above;
-  }
+/// The description of a core, with the storage its pointers need.
+struct CoreDescription {
+  std::vector<bitrock_cutter> cutters;
+  std::vector<std::vector<std::int32_t>> layers;  ///< of each output
+  bitrock_description plain{};                    ///< points into `cutters`, `layers` and the model
 };
 
-/// A bit turning slower than this is taken to turn at it when depth of cut and cutter speed are asked for: 0.6 rpm. It
-/// keeps ROP / N finite while a bit sticks, when its angle, and so its force, stands still anyway. Larger values would
-/// make the cuts of a bit that barely turns too shallow; smaller ones change nothing, as the depth is clamped.
-inline constexpr double slowest_rotation = 0.0628;  ///< [rad/s]
+/// A bit and a model as plain numbers. The model must outlive the description. Averages are over 0.1 s.
+CoreDescription describe(const Bit& bit, const surrogate::Model& model);
 
-/// **What** Conditions of one cutter when the bit turns steadily.
-/// **Equation** d = 2 pi V / omega; v = omega r.
-/// **Symbols** d [m] depth of cut; V [m/s] rate of penetration; omega [rad/s] rotation, at least `slowest_rotation`;
-/// v [m/s] cutter speed; r [m] radius of its path.
-/// **Source** [BitRock2026, sec. 3.1].
-/// **Differences and validity** Holds for one cutter a track. V small against v: the path is taken as a circle.
-surrogate::CutConditions cut_conditions(const Cutter& cutter, const BitMotion& motion);
-
-/// **What** Load on the bit.
-/// **Equation** W(theta) = sum_i F_y,i(theta) w_i; T(theta) = sum_i F_x,i(theta) w_i r_i, i in the order of the bit.
-/// **Symbols** F_x,i, F_y,i [N/m] force on cutter i per metre of width (`cutter_force.hpp`); w_i [m]; r_i [m].
-/// **Source** [BitRock2026, sec. 3.3]: superposition and arm. The width is ours: the article does not say how
-/// the force of a two-dimensional simulation, which is per metre of thickness, becomes a force.
-/// **Differences and validity** Cutters do not feel each other. Without friction under worn cutters the mean torque of
-/// a bit whose rings cover the face, each resisted by eps w d, is eps a^2 d / 2 [DetournayDefourny1992]. Conditions are
-/// asked for when the angle enters a window and hold for the window after it (see `enter_window`). ROP not above 0
-/// means nothing is cut: windows drawn then are empty. Any other ROP, however small, is clamped to the shallowest cut
-/// the network knows, so the force does not vanish with the depth.
+/// One object per thread. A copy goes on from where the original is.
 class BitForce {
  public:
-  /// Takes all storage. Throws `InputError` when a cutter or a setting cannot be used (a bit made in code, not read).
-  BitForce(const Bit& bit, surrogate::Model model);
+  /// Takes all storage. Throws `InputError` when a cutter, a setting or the model cannot be used (made in code, not
+  /// read).
+  BitForce(const Bit& bit, const surrogate::Model& model);
 
-  /// Takes no memory. One object per thread. Throws `SimulationError` when the motion or a prediction is not finite, or
-  /// the angle so large that windows can no longer be told apart (1e15 of them).
+  /// Takes no memory. What it depends on is in `export/bitrock_runtime.h`, under "What holds". Throws
+  /// `SimulationError`, and has changed nothing, when the motion or a prediction is not finite, or the angle so large
+  /// that windows can no longer be told apart (1e15 of them).
   BitLoad at(const BitMotion& motion);
 
   /// The same for many angles in a row at steady rates: sets axial_force[i] [N] and torque[i] [N m] to what `at` gives
-  /// for angles[i], to the last bit, but some times faster as it follows one cutter through a window before it turns to
-  /// the next. All three of one length; `motion.angle` is not read.
+  /// for angles[i]. All three of one length; `motion.angle` is not read.
   void along(std::span<const double> angles, const BitMotion& motion, std::span<double> axial_force,
              std::span<double> torque);
 
-  const ClampTally& clamps() const { return clamps_; }
+  ClampTally clamps() const;
   /// Sum over the cutters.
   DrawTally draws() const;
 
- private:
-  double window_of(double angle) const;
-  void enter(double window, const BitMotion& motion);
-  CutterStatistics statistics(const Cutter& cutter, const BitMotion& motion);
+  /// The whole state as bytes; `restore` of them, here or in an object of the same bit and model, brings the same
+  /// forces again to the last bit. `state` has `state_size()` bytes. `restore` throws `InputError` for other bytes.
+  std::size_t state_size() const;
+  void save(std::span<std::byte> state) const;
+  void restore(std::span<const std::byte> state);
 
-  Bit bit_;
-  surrogate::Model model_;
-  std::vector<CutterForce> forces_;  ///< in the order of bit_.cutters
-  double window_;                    ///< the one entered last, a whole number; NaN before the first
-  ClampTally clamps_;
+ private:
+  bitrock_core* core() { return reinterpret_cast<bitrock_core*>(memory_.data()); }
+  const bitrock_core* core() const { return reinterpret_cast<const bitrock_core*>(memory_.data()); }
+
+  std::vector<double> memory_;  ///< the core's bytes; doubles, so that they begin where they must
 };
 
 }  // namespace runtime

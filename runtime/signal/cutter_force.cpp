@@ -1,14 +1,11 @@
 #include "runtime/signal/cutter_force.hpp"
 
-#include <limits>
-
 namespace runtime {
 
 namespace {
 
-constexpr std::int64_t nothing_kept = std::numeric_limits<std::int64_t>::min();
-
 static_assert((windows_kept & (windows_kept - 1)) == 0, "place_of masks");
+static_assert(most_pulses <= std::numeric_limits<std::uint16_t>::max(), "places of active pulses");
 
 std::size_t place_of(std::int64_t window) {
   return static_cast<std::size_t>(window & (windows_kept - 1));
@@ -22,6 +19,22 @@ void count(DrawTally& tally, const ComponentDraw& drawn) {
   tally.capped += drawn.counts.capped ? 1 : 0;
 }
 
+/// What the memory says of this place, drawn.
+void draw_place(CutterForce& cutter, std::size_t place) {
+  draw_window(cutter.windows[place], cutter.memory.statistics[place], cutter.path_radius, cutter.settings,
+              {.seed = cutter.settings.seed, .cutter = cutter.cutter, .window = cutter.memory.kept[place]});
+}
+
+/// The pulses that can be felt in the window entered last.
+void gather(CutterForce& cutter) {
+  cutter.train.pulses.clear();
+  const double window_angle = cutter.settings.window_angle;
+  for (const int step : {-1, 0, 1}) {
+    put_pulses(cutter.windows[place_of(cutter.memory.entered + step)], step * window_angle, window_angle, cutter.train);
+  }
+  restart(cutter.train);
+}
+
 }  // namespace
 
 void DrawTally::add(const DrawTally& other) {
@@ -32,34 +45,50 @@ void DrawTally::add(const DrawTally& other) {
   capped += other.capped;
 }
 
-CutterForce make_cutter_force(const SignalSettings& settings, int cutter, double path_radius) {
-  CutterForce force;
+void set_up(CutterForce& force, const SignalSettings& settings, int cutter, double path_radius) {
   force.settings = settings;
   force.cutter = cutter;
   force.path_radius = path_radius;
-  force.train = make_pulse_train(3 * largest_peak_count);
-  for (PeakWindow& window : force.windows) window = empty_window();
-  force.kept.fill(nothing_kept);
-  return force;
+  force.memory = {};
+  force.memory.kept.fill(no_window);
+  for (PeakWindow& window : force.windows) window.peaks.clear();
+  force.train.pulses.clear();
+  restart(force.train);
+}
+
+bool all_drawn(const CutterForce& cutter, std::int64_t window) {
+  for (std::int64_t k = window - 1; k <= window + 1; ++k) {
+    if (cutter.memory.kept[place_of(k)] != k) return false;
+  }
+  return true;
 }
 
 void enter_window(CutterForce& cutter, std::int64_t window, const CutterStatistics& statistics) {
-  const CutterStatistics latched{.x = usable(statistics.x, cutter.cutter), .y = usable(statistics.y, cutter.cutter)};
+  const CutterStatistics latched{.x = usable(statistics.x), .y = usable(statistics.y)};
   for (std::int64_t k = window - 1; k <= window + 1; ++k) {
     const std::size_t place = place_of(k);
-    if (cutter.kept[place] == k) continue;
-    draw_window(cutter.windows[place], latched, cutter.path_radius, cutter.settings,
-                {.seed = cutter.settings.seed, .cutter = cutter.cutter, .window = k});
-    cutter.kept[place] = k;
-    count(cutter.tally, cutter.windows[place].x);
-    count(cutter.tally, cutter.windows[place].y);
+    if (cutter.memory.kept[place] == k) continue;
+    cutter.memory.kept[place] = k;
+    cutter.memory.statistics[place] = latched;
+    draw_place(cutter, place);
+    count(cutter.memory.tally, cutter.windows[place].x);
+    count(cutter.memory.tally, cutter.windows[place].y);
   }
-  cutter.train.pulses.clear();
-  const double window_angle = cutter.settings.window_angle;
-  for (int step : {-1, 0, 1}) {
-    put_pulses(cutter.windows[place_of(window + step)], step * window_angle, window_angle, cutter.train);
+  cutter.memory.entered = window;
+  gather(cutter);
+}
+
+void restore(CutterForce& cutter, const CutterMemory& memory) {
+  const CutterMemory before = cutter.memory;
+  cutter.memory = memory;
+  bool changed = memory.entered != before.entered;
+  for (std::size_t place = 0; place < windows_kept; ++place) {
+    const bool same = memory.kept[place] == before.kept[place] && memory.statistics[place] == before.statistics[place];
+    if (same) continue;
+    changed = true;
+    if (memory.kept[place] != no_window) draw_place(cutter, place);
   }
-  restart(cutter.train);
+  if (changed && memory.entered != no_window) gather(cutter);
 }
 
 }  // namespace runtime

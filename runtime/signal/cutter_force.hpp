@@ -1,10 +1,12 @@
 #pragma once
 /// The force history of one cutter, per metre of its width, as a function of the angle the bit has cut through. It
 /// holds the few windows whose pulses can be felt at that angle. It does not know the bit, the rock or the network:
-/// whoever owns it gives the statistics when a window comes into reach.
+/// whoever owns it gives the statistics when a window comes into reach. One block of bytes without pointers; takes no
+/// memory, throws nothing.
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "runtime/signal/peak_window.hpp"
 
@@ -25,18 +27,31 @@ struct DrawTally {
 /// over an edge finds what it left.
 inline constexpr int windows_kept = 4;
 
+inline constexpr std::int64_t no_window = std::numeric_limits<std::int64_t>::min();
+
+/// All that a cutter remembers. What it has drawn follows from this and its settings, so a copy of this much is enough
+/// to come back to a moment.
+struct CutterMemory {
+  std::int64_t entered = no_window;                         ///< window of the last `enter_window`
+  std::array<std::int64_t, windows_kept> kept{};            ///< which window lies in each place
+  std::array<CutterStatistics, windows_kept> statistics{};  ///< with which each was drawn
+  DrawTally tally;
+};
+
 struct CutterForce {
   SignalSettings settings;
   int cutter = 0;            ///< number on the bit, part of the address of every draw
   double path_radius = 0.0;  ///< [m] of the circle it cuts, above 0
+  CutterMemory memory;
   std::array<PeakWindow, windows_kept> windows;
-  std::array<std::int64_t, windows_kept> kept;  ///< which window lies in each place
-  PulseTrain train;                             ///< of the window entered last; its angle 0 is where that window begins
-  DrawTally tally;
+  PulseTrain train;  ///< of the window entered last; its angle 0 is where that window begins
 };
 
-/// Takes all the storage the cutter will ever need.
-CutterForce make_cutter_force(const SignalSettings& settings, int cutter, double path_radius);
+/// A cutter that has not entered a window.
+void set_up(CutterForce& force, const SignalSettings& settings, int cutter, double path_radius);
+
+/// Windows k-1, k and k+1 are drawn: entering k will not ask for statistics.
+bool all_drawn(const CutterForce& cutter, std::int64_t window);
 
 /// **What** Draws those of the windows k-1, k, k+1 that are not there yet.
 /// **Differences and validity** Statistics are latched: a window is drawn once, with the statistics of the moment when
@@ -46,7 +61,11 @@ CutterForce make_cutter_force(const SignalSettings& settings, int cutter, double
 /// even across edges and while conditions change. With unchanging statistics it depends on the angle alone, not on
 /// the way there.
 /// Afterwards `force_at(cutter.train, settings.combine, angle)` is the force at `angle` from the beginning of the
-/// window, 0 <= angle <= theta_T. Takes no memory. Throws `SimulationError` when a statistic is not finite.
+/// window, 0 <= angle <= theta_T. The statistics must be finite.
 void enter_window(CutterForce& cutter, std::int64_t window, const CutterStatistics& statistics);
+
+/// Comes back to a moment of this cutter (or one with the same settings): the same forces follow, to the last bit.
+/// Draws only what differs from what is there.
+void restore(CutterForce& cutter, const CutterMemory& memory);
 
 }  // namespace runtime

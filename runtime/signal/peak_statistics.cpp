@@ -1,27 +1,15 @@
 #include "runtime/signal/peak_statistics.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-
-#include "base/errors.hpp"
 
 namespace runtime {
 
-PeakStatistics usable(const PeakStatistics& statistics, int cutter) {
-  const auto not_negative = [cutter](double value, const char* name) {
-    if (!std::isfinite(value)) {
-      throw base::SimulationError(fmt::format(
-          "cutter {}: predicted {} = {} (must be a finite number); check the model file", cutter, name, value));
-    }
-    return std::max(value, 0.0);
-  };
-  PeakStatistics result{.amax = not_negative(statistics.amax, "amax [N/m]"),
-                        .amean = not_negative(statistics.amean, "amean [N/m]"),
-                        .np1 = not_negative(statistics.np1, "np1 [1/m]"),
-                        .np23 = not_negative(statistics.np23, "np23 [1/m]"),
-                        .np4 = not_negative(statistics.np4, "np4 [1/m]")};
+PeakStatistics usable(const PeakStatistics& statistics) {
+  PeakStatistics result{.amax = std::max(statistics.amax, 0.0),
+                        .amean = std::max(statistics.amean, 0.0),
+                        .np1 = std::max(statistics.np1, 0.0),
+                        .np23 = std::max(statistics.np23, 0.0),
+                        .np4 = std::max(statistics.np4, 0.0)};
   result.amean = std::min(result.amean, result.amax);
   return result;
 }

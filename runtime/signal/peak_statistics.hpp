@@ -15,15 +15,18 @@ struct PeakStatistics {
   double np1 = 0.0;    ///< [1/m] peaks of 75 % to 100 % of amax, per metre of cut
   double np23 = 0.0;   ///< [1/m] peaks of 25 % to 75 % of amax, per metre of cut
   double np4 = 0.0;    ///< [1/m] peaks of 0 % to 25 % of amax, per metre of cut
+
+  bool operator==(const PeakStatistics&) const = default;
 };
 
 struct CutterStatistics {
   PeakStatistics x;  ///< cutting direction, resistance positive
   PeakStatistics y;  ///< axial direction, push out of the rock positive
+
+  bool operator==(const CutterStatistics&) const = default;
 };
 
-/// The statistics made fit for use: negative values become 0, amean above amax becomes amax.
-/// Throws `SimulationError` naming the cutter and the number when one is not finite.
-PeakStatistics usable(const PeakStatistics& statistics, int cutter);
+/// The statistics made fit for use: negative values become 0, amean above amax becomes amax. They must be finite.
+PeakStatistics usable(const PeakStatistics& statistics);
 
 }  // namespace runtime

@@ -1,6 +1,8 @@
 #include "runtime/signal/peak_window.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace runtime {
 
@@ -16,21 +18,14 @@ ComponentDraw draw_component(PeakWindow& window, const PeakStatistics& statistic
   const double half_width = settings.pulse_width_factor * settings.window_angle / (2.0 * drawn.counts.expected());
   drawn.narrowed = half_width > settings.window_angle;
   drawn.half_width = std::min(half_width, settings.window_angle);
-  window.heights.resize(count);
-  drawn.fit = draw_amplitudes(statistics, drawn.counts, settings.amplitude_fit, key, window.heights);
-  if (window.peaks.size() < count) window.peaks.resize(count);
-  for (std::size_t i = 0; i < count; ++i) window.peaks[i].*component = window.heights[i];
+  std::array<double, largest_peak_count> heights;  // [N/m]
+  drawn.fit = draw_amplitudes(statistics, drawn.counts, settings.amplitude_fit, key, std::span(heights.data(), count));
+  while (window.peaks.size() < count) window.peaks.push_back({});  // never more than `largest_peak_count`
+  for (std::size_t i = 0; i < count; ++i) window.peaks[i].*component = heights[i];
   return drawn;
 }
 
 }  // namespace
-
-PeakWindow empty_window() {
-  PeakWindow window;
-  window.peaks.reserve(largest_peak_count);
-  window.heights.reserve(largest_peak_count);
-  return window;
-}
 
 void draw_window(PeakWindow& window, const CutterStatistics& statistics, double path_radius,
                  const SignalSettings& settings, const WindowKey& key) {

@@ -1,9 +1,8 @@
 #pragma once
-/// One angular window of one cutter, drawn: where its peaks lie, how high and how wide they are. Storage is taken once;
-/// drawing a window again takes none. What force they make is in `pulse_train.hpp`.
+/// One angular window of one cutter, drawn: where its peaks lie, how high and how wide they are. It has room for any
+/// number of them. What force they make is in `pulse_train.hpp`.
 
-#include <vector>
-
+#include "runtime/signal/fixed_list.hpp"
 #include "runtime/signal/peak_amplitudes.hpp"
 #include "runtime/signal/peak_counts.hpp"
 #include "runtime/signal/peak_statistics.hpp"
@@ -35,14 +34,10 @@ struct Peak {
 };
 
 struct PeakWindow {
-  std::vector<Peak> peaks;  ///< highest of x first, then by bands of x
+  FixedList<Peak, largest_peak_count> peaks;  ///< highest of x first, then by bands of x
   ComponentDraw x;
   ComponentDraw y;
-  std::vector<double> heights;  ///< [N/m] room for drawing
 };
-
-/// A window without peaks, with room for any.
-PeakWindow empty_window();
 
 /// **What** Draws the window of address `key` into `window`.
 /// **Equation** R_i = theta_T u_i, i = 1..N; heights as in `draw_amplitudes`; h = f theta_T / (2 nu), at most theta_T.

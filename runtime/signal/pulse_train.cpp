@@ -9,72 +9,9 @@ namespace runtime {
 
 namespace {
 
-/// Makes `active` right for `angle`. Going forward it drops and adds; going back it begins anew.
-void follow(PulseTrain& train, double angle) {
-  if (angle < train.from) {
-    train.active.clear();
-    train.next = 0;
-  }
-  std::erase_if(train.active, [angle](const Pulse& pulse) { return pulse.end <= angle; });
-  for (; train.next < train.pulses.size() && train.pulses[train.next].begin < angle; ++train.next) {
-    if (train.pulses[train.next].end > angle) train.active.push_back(train.pulses[train.next]);
-  }
-  train.from = angle;
-  train.until = std::numeric_limits<double>::infinity();
-  if (train.next < train.pulses.size()) train.until = train.pulses[train.next].begin;
-  for (const Pulse& pulse : train.active) train.until = std::min(train.until, pulse.end);
-}
-
-/// Force while the active pulses are right for `angle`.
-template <Combine combine>
-ForcePerMetre active_force(const PulseTrain& train, double angle) {
-  ForcePerMetre total;
-  for (const Pulse& pulse : train.active) {
-    const double distance = angle - pulse.centre;
-    const double shape_x = unit_pulse(distance, pulse.inverse_half_width_x);
-    const double shape_y = pulse.inverse_half_width_x == pulse.inverse_half_width_y
-                               ? shape_x
-                               : unit_pulse(distance, pulse.inverse_half_width_y);
-    if constexpr (combine == Combine::sum) {
-      total.x += pulse.x * shape_x;
-      total.y += pulse.y * shape_y;
-    } else {
-      total.x = std::max(total.x, pulse.x * shape_x);
-      total.y = std::max(total.y, pulse.y * shape_y);
-    }
-  }
-  return total;
-}
-
-bool remembered(const PulseTrain& train, double angle) {
-  return angle >= train.from && angle < train.until;
-}
-
-/// One stretch with unchanging active pulses after the other: most have none or one.
-template <Combine combine>
-void add_all(PulseTrain& train, std::span<const double> angles, double start, const Accumulation& x,
-             const Accumulation& y) {
-  for (std::size_t i = 0; i < angles.size();) {
-    if (!remembered(train, angles[i] - start)) follow(train, angles[i] - start);
-    std::size_t end = i + 1;
-    while (end < angles.size() && remembered(train, angles[end] - start)) ++end;
-    if (train.active.empty()) i = end;
-    for (; i < end; ++i) {
-      const ForcePerMetre here = active_force<combine>(train, angles[i] - start);
-      x.total[i] += x.factor * here.x;
-      y.total[i] += y.factor * here.y;
-    }
-  }
-}
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
-
-PulseTrain make_pulse_train(std::size_t capacity) {
-  PulseTrain train;
-  train.pulses.reserve(capacity);
-  train.active.reserve(capacity);
-  return train;
-}
 
 void restart(PulseTrain& train) {
   // pulses that begin together are ordered by all the rest, so that the sequence is unique
@@ -83,22 +20,48 @@ void restart(PulseTrain& train) {
             [key](const Pulse& a, const Pulse& b) { return key(a) < key(b); });
   train.active.clear();
   train.next = 0;
-  train.from = 0.0;
-  train.until = -std::numeric_limits<double>::infinity();
+  train.after = infinity;
+  train.until = -infinity;
+}
+
+void follow(PulseTrain& train, double angle) {
+  if (!(angle > train.after)) {
+    train.active.clear();
+    train.next = 0;
+    train.after = -infinity;
+  }
+  // what has ended leaves, what has begun comes; `after` is the last such change, `until` the next one
+  train.until = infinity;
+  std::size_t kept = 0;
+  const auto sort_in = [&](std::uint16_t place) {
+    const double end = train.pulses[place].end;
+    if (end <= angle) {
+      train.after = std::max(train.after, end);
+    } else {
+      train.until = std::min(train.until, end);
+      train.active[kept++] = place;
+    }
+  };
+  for (const std::uint16_t place : train.active) sort_in(place);
+  for (; train.next < train.pulses.size() && train.pulses[train.next].begin < angle; ++train.next) {
+    train.after = std::max(train.after, train.pulses[train.next].begin);
+    sort_in(static_cast<std::uint16_t>(train.next));
+  }
+  train.active.count = kept;
+  if (train.next < train.pulses.size()) train.until = std::min(train.until, train.pulses[train.next].begin);
 }
 
 ForcePerMetre force_at(PulseTrain& train, Combine combine, double angle) {
   if (!remembered(train, angle)) follow(train, angle);
-  return combine == Combine::sum ? active_force<Combine::sum>(train, angle) : active_force<Combine::max>(train, angle);
-}
-
-void add_forces(PulseTrain& train, Combine combine, std::span<const double> angles, double start, Accumulation x,
-                Accumulation y) {
-  if (combine == Combine::sum) {
-    add_all<Combine::sum>(train, angles, start, x, y);
-  } else {
-    add_all<Combine::max>(train, angles, start, x, y);
+  ForcePerMetre total;
+  for (const std::uint16_t place : train.active) {
+    const Pulse& pulse = train.pulses[place];
+    const double x = pulse.x * unit_pulse(angle - pulse.centre, pulse.inverse_half_width_x);
+    const double y = pulse.y * unit_pulse(angle - pulse.centre, pulse.inverse_half_width_y);
+    total.x = combine == Combine::sum ? total.x + x : std::max(total.x, x);
+    total.y = combine == Combine::sum ? total.y + y : std::max(total.y, y);
   }
+  return total;
 }
 
 }  // namespace runtime

@@ -7,10 +7,6 @@ namespace surrogate {
 
 namespace {
 
-/// Rounding of a unit conversion there and back is a few 1e-16 of the value; 1e-9 is far above it and far below any
-/// difference in cutting conditions that somebody could mean.
-constexpr double conversion_slack = 1e-9;
-
 using Conditions = std::array<double, input_count>;  // in file units, in the order of `input_names`
 
 Conditions in_file_units(const CutConditions& conditions) {
@@ -18,19 +14,13 @@ Conditions in_file_units(const CutConditions& conditions) {
           conditions.back_rake / input_names[2].si_per_unit};
 }
 
-double slack(const Variable& variable) {
-  return conversion_slack * std::max(std::abs(variable.low), std::abs(variable.high));
-}
-
 bool inside(const Variable& variable, double value) {
-  return value >= variable.low - slack(variable) && value <= variable.high + slack(variable);
+  const Bounds bounds = widened_range(variable);
+  return value >= bounds.low && value <= bounds.high;
 }
 
 double clamped(const Variable& variable, double si_value, double si_per_unit) {
-  const double value = si_value / si_per_unit;
-  if (value < variable.low - slack(variable)) return variable.low * si_per_unit;
-  if (value > variable.high + slack(variable)) return variable.high * si_per_unit;
-  return si_value;
+  return clamped_to_range(variable.low, variable.high, si_value, si_per_unit);
 }
 
 double output_value(const OutputModel& output, const Conditions& scaled) {
@@ -55,9 +45,7 @@ double to_network(const OutputModel& output, double value) {
 }
 
 double from_network(const OutputModel& output, double given) {
-  const double seen = output.variable.offset + output.variable.scale * given;
-  const double value = output.log_reference > 0.0 ? output.log_reference * std::expm1(seen) : seen;
-  return rectified(value);
+  return from_network(output.variable.offset, output.variable.scale, output.log_reference, given);
 }
 
 std::array<double, output_count> listed(const Prediction& prediction) {
@@ -76,6 +64,10 @@ Prediction predict(const Model& model, const CutConditions& conditions) {
   return {.x = statistics(model, 0, scaled),
           .y = statistics(model, statistics_count, scaled),
           .inside_training_range = all_inside};
+}
+
+Bounds widened_range(const Variable& input) {
+  return widened_range(input.low, input.high);
 }
 
 CutConditions clamped_to_training_range(const Model& model, CutConditions conditions) {

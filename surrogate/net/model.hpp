@@ -75,10 +75,6 @@ struct Provenance {
   std::string bitrock_version;
 };
 
-inline constexpr int input_count = 3;
-inline constexpr int output_count = 10;
-inline constexpr int statistics_count = 5;  ///< outputs of one direction
-
 /// Name and unit every model has at each place; `si_per_unit` turns file units into SI.
 struct VariableName {
   std::string_view name;
@@ -86,12 +82,10 @@ struct VariableName {
   double si_per_unit;
 };
 
-inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
-
 inline constexpr std::array<VariableName, input_count> input_names{{
-    {"cutter_speed_m_per_s", "m/s", 1.0},
-    {"depth_of_cut_mm", "mm", 1e-3},
-    {"back_rake_deg", "deg", radians_per_degree},
+    {"cutter_speed_m_per_s", "m/s", si_per_input_unit[0]},
+    {"depth_of_cut_mm", "mm", si_per_input_unit[1]},
+    {"back_rake_deg", "deg", si_per_input_unit[2]},
 }};
 
 /// x first, then y. Peak counts are per metre of cut, so that they do not depend on how long a cut was simulated.
@@ -113,12 +107,6 @@ struct Model {
   std::array<OutputModel, output_count> outputs;  ///< in the order of `output_names`
   std::string rock;                               ///< which rock, for people
   Provenance provenance;
-};
-
-struct CutConditions {
-  double cutter_speed = 0.0;  ///< [m/s] along the rock surface
-  double depth_of_cut = 0.0;  ///< [m]
-  double back_rake = 0.0;     ///< [rad]
 };
 
 /// Peak statistics of one force component [BitRock2026, sec. 3.2]. Forces are per metre of thickness
@@ -144,6 +132,9 @@ std::array<double, output_count> listed(const Prediction& prediction);
 /// Not-a-number in gives not-a-number out, flagged as outside. The model must come from `read_model` or `train`: its
 /// shapes are not checked again.
 Prediction predict(const Model& model, const CutConditions& conditions);
+
+/// Of `evaluation.hpp`, for one input.
+Bounds widened_range(const Variable& input);
 
 /// The nearest conditions inside the training box. What lies inside, or outside by no more than the rounding of a unit
 /// conversion (1e-9 of the bound), comes back unchanged.

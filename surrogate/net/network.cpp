@@ -63,18 +63,6 @@ void initialise(Network& network, base::Random& random) {
   }
 }
 
-double activated(OutputActivation output, double z) {
-  switch (output) {
-    case OutputActivation::rectified:
-      return rectified(z);
-    case OutputActivation::softplus:
-      return std::max(z, 0.0) + std::log1p(std::exp(-std::abs(z)));  // no overflow for large z
-    case OutputActivation::linear:
-      break;
-  }
-  return z;
-}
-
 double activation_slope(OutputActivation output, double activated) {
   switch (output) {
     case OutputActivation::rectified:
@@ -99,23 +87,11 @@ std::optional<OutputActivation> output_activation(std::string_view name) {
 }
 
 void forward(const Network& network, std::span<const double> input, std::span<double> output) {
-  std::array<double, widest_layer> buffers[2];
-  double* from = buffers[0].data();  // a[k-1]
-  double* to = buffers[1].data();    // a[k]
-  std::copy(input.begin(), input.end(), from);
-  const double* weight = network.parameters.data();
-  for (std::size_t k = 1; k < network.layers.size(); ++k) {
-    const int inputs = network.layers[k - 1], outputs = network.layers[k];
-    const double* bias = weight + outputs * inputs;
-    for (int o = 0; o < outputs; ++o) {
-      double z = bias[o];
-      for (int i = 0; i < inputs; ++i) z += *weight++ * from[i];
-      to[o] = k + 1 < network.layers.size() ? rectified(z) : activated(network.output, z);
-    }
-    weight = bias + outputs;
-    std::swap(from, to);
-  }
-  std::copy_n(from, output.size(), output.begin());
+  forward({.layers = network.layers.data(),
+           .layer_count = static_cast<int>(network.layers.size()),
+           .output = network.output,
+           .parameters = network.parameters.data()},
+          input.data(), output.data());
 }
 
 }  // namespace surrogate

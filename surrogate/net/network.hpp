@@ -13,15 +13,9 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "surrogate/net/evaluation.hpp"
 
 namespace surrogate {
-
-/// What the last layer does with z[K] = W[K] a[K-1] + b[K].
-enum class OutputActivation {
-  rectified,  ///< max(0, z), as in the article
-  softplus,   ///< ln(1 + e^z), never dead [DugasEtAl2001]
-  linear      ///< z; whoever needs an output that is not negative cuts it off (`from_network`)
-};
 
 /// **What** Layer k = 1..K maps a[k-1] to a[k]: rectified on the hidden layers, as `output` says on the last.
 /// **Equation** a[k] = max(0, W[k] a[k-1] + b[k]) for k < K, a[0] = input, a[K] = f(W[K] a[K-1] + b[K]) = output.
@@ -36,10 +30,6 @@ struct Network {
   /// For k = 1..K: W[k] row by row (n[k] x n[k-1]), then b[k] (n[k]).
   std::vector<double> parameters;
 };
-
-/// Limits that let `forward` work in fixed arrays on the stack. Ten times the article's widest layer.
-inline constexpr int widest_layer = 64;
-inline constexpr int most_layers = 16;  ///< entries of `Network::layers`, input and output included
 
 /// Empty when a network of these layers can be built, otherwise what is wrong with them.
 std::string layers_problem(std::span<const int> layers);
@@ -69,14 +59,6 @@ std::size_t layer_offset(std::span<const int> layers, int k);
 /// `layers_problem` refuses.
 void initialise(Network& network, base::Random& random);
 
-/// z < 0 becomes 0; not-a-number stays what it is, so that a broken input shows in the output.
-inline double rectified(double z) {
-  return z < 0.0 ? 0.0 : z;
-}
-
-/// f(z) of the last layer.
-double activated(OutputActivation output, double z);
-
 /// df/dz where f(z) = `activated`: the slope follows from the value. At the kink of the rectifier 0, as Keras has it.
 double activation_slope(OutputActivation output, double activated);
 
@@ -86,8 +68,7 @@ std::string_view name_of(OutputActivation output);
 /// The activation of that name, or nothing.
 std::optional<OutputActivation> output_activation(std::string_view name);
 
-/// Forward pass of one input (n[0]) to one output (n[K]). Takes no memory and does not throw. Each sum starts at the
-/// bias and runs over the inputs in order: the bits do not depend on vector width, and an export can reproduce them.
+/// Forward pass of one input (n[0]) to one output (n[K]) by the `forward` of `evaluation.hpp`. Takes no memory.
 /// The network must satisfy `layers_problem` and have its `parameter_count`.
 void forward(const Network& network, std::span<const double> input, std::span<double> output);
 

@@ -4,26 +4,35 @@
 #include <cmath>
 #include <span>
 
+#include "surrogate/train/scatter.hpp"
 #include "surrogate/train/split.hpp"
 
 namespace surrogate {
 
 namespace {
 
-CaseRole role_of(const Model& model, int case_number) {
+CaseRole role_of(const Model& model, int case_number, CaseNumbers numbers) {
+  if (numbers == CaseNumbers::of_another_study) return CaseRole::unseen;
   if (contains(model.provenance.train_cases, case_number)) return CaseRole::train;
   if (contains(model.provenance.validation_cases, case_number)) return CaseRole::validation;
   return contains(model.provenance.test_cases, case_number) ? CaseRole::test : CaseRole::unseen;
 }
 
-ParityPoint parity_point(const Model& model, const TrainingRow& mean, double prediction, std::size_t output) {
-  return {.case_number = mean.case_number,
-          .role = role_of(model, mean.case_number),
-          .cuts = mean.cuts,
-          .dem_mean = mean.outputs[output],
-          .dem_standard_error = mean.standard_errors ? (*mean.standard_errors)[output] : 0.0,
-          .standard_error_known = mean.standard_errors.has_value(),
-          .prediction = prediction};
+ParityPoint parity_point(const TrainingRow& mean, CaseRole role, const ScatterLaw& law, double prediction,
+                         std::size_t output) {
+  const double value = mean.outputs[output];
+  ParityPoint point{.case_number = mean.case_number,
+                    .role = role,
+                    .inputs = mean.inputs,
+                    .cuts = mean.cuts,
+                    .dem_mean = value,
+                    .dem_standard_error = mean.standard_errors ? (*mean.standard_errors)[output] : 0.0,
+                    .standard_error_known = mean.standard_errors.has_value(),
+                    .noise = standard_error(law, output, value, mean.cut_length, mean.cuts),
+                    .prediction = prediction};
+  const double half_way = standard_error(law, output, 0.5 * (value + prediction), mean.cut_length, mean.cuts);
+  if (half_way > 0.0) point.residual = (prediction - value) / half_way;
+  return point;
 }
 
 /// Running mean and largest value of numbers that may turn out to be none.
@@ -45,11 +54,53 @@ std::optional<double> root(std::optional<double> mean_square) {
   return mean_square ? std::optional(std::sqrt(*mean_square)) : std::nullopt;
 }
 
+/// Sum of squares around the mean; exactly 0 when all are equal, which rounding of the mean would hide.
+double squares_around_mean(std::span<const ParityPoint> points) {
+  Collected means;
+  bool all_equal = true;
+  for (const ParityPoint& point : points) {
+    means.add(point.dem_mean);
+    all_equal = all_equal && point.dem_mean == points.front().dem_mean;
+  }
+  if (all_equal) return 0.0;
+  double squares = 0.0;
+  for (const ParityPoint& point : points) {
+    squares += (point.dem_mean - *means.mean()) * (point.dem_mean - *means.mean());
+  }
+  return squares;
+}
+
+NoiseAlone noise_alone(std::span<const double> standard_errors) {
+  constexpr double high = 0.95;
+  return {.mean = expected_mean(standard_errors),
+          .max = expected_largest(standard_errors),
+          .high_max = largest_quantile(standard_errors, high)};
+}
+
+/// Root mean square of s_i; absent when no scatter is known.
+std::optional<double> noise_of(std::span<const ParityPoint> points) {
+  Collected squares;
+  for (const ParityPoint& point : points) squares.add(point.noise * point.noise);
+  return squares.sum > 0.0 ? root(squares.mean()) : std::nullopt;
+}
+
+void add_noise(std::span<const ParityPoint> points, double range, ParitySummary& summary) {
+  summary.noise = noise_of(points);
+  if (!summary.noise) return;
+  summary.rmse_over_noise = *summary.rmse / *summary.noise;
+  std::vector<double> of_value, of_range;
+  for (const ParityPoint& point : points) {
+    if (point.dem_mean > 0.0) of_value.push_back(point.noise / point.dem_mean);
+    if (range > 0.0) of_range.push_back(point.noise / range);
+  }
+  if (!of_value.empty()) summary.noise_alone = noise_alone(of_value);
+  if (!of_range.empty()) summary.noise_of_range = noise_alone(of_range);
+}
+
 ParitySummary summary_of(std::span<const ParityPoint> points, double range) {
-  Collected dem, relative, bias, of_range, squares, error_squares, spread;
+  Collected relative, bias, of_range, squares, error_squares;
   for (const ParityPoint& point : points) {
     const double deviation = point.prediction - point.dem_mean;
-    dem.add(point.dem_mean);
     squares.add(deviation * deviation);
     if (point.dem_mean > 0.0) {
       relative.add(std::abs(deviation) / point.dem_mean);
@@ -58,54 +109,102 @@ ParitySummary summary_of(std::span<const ParityPoint> points, double range) {
     if (range > 0.0) of_range.add(std::abs(deviation) / range);
     if (point.standard_error_known) error_squares.add(point.dem_standard_error * point.dem_standard_error);
   }
-  bool all_equal = true;
-  for (const ParityPoint& point : points) {
-    const double from_mean = point.dem_mean - *dem.mean();
-    spread.add(from_mean * from_mean);
-    all_equal = all_equal && point.dem_mean == points.front().dem_mean;
-  }
-  ParitySummary summary{.cases = dem.count,
-                        .zero_cases = dem.count - relative.count,
+  ParitySummary summary{.cases = squares.count,
+                        .zero_cases = squares.count - relative.count,
                         .mean_deviation = relative.mean(),
                         .max_deviation = relative.max(),
                         .mean_bias = bias.mean(),
                         .mean_of_range = of_range.mean(),
                         .max_of_range = of_range.max(),
                         .rmse = root(squares.mean()),
-                        .r2 = std::nullopt,
                         .dem_standard_error = root(error_squares.mean())};
-  if (!all_equal) summary.r2 = 1.0 - squares.sum / spread.sum;
+  const double spread = squares_around_mean(points);
+  if (spread > 0.0) summary.r2 = 1.0 - squares.sum / spread;
+  add_noise(points, range, summary);
   return summary;
 }
 
-ParitySummary summary_of_role(const std::vector<ParityPoint>& points, CaseRole role, double range) {
-  std::vector<ParityPoint> chosen;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(chosen),
-               [role](const ParityPoint& point) { return point.role == role; });
-  return summary_of(chosen, range);
+template <class Chosen>
+std::vector<ParityPoint> points_where(const std::vector<ParityPoint>& points, const Chosen& chosen) {
+  std::vector<ParityPoint> found;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(found),
+               [&](const ParityPoint& point) { return chosen(point.role); });
+  return found;
+}
+
+/// nu_1 of `noise_floor.hpp`.
+double compared_degrees(std::span<const ParityPoint> points) {
+  std::vector<double> variances;
+  for (const ParityPoint& point : points) variances.push_back(point.noise * point.noise);
+  return effective_degrees(variances, std::vector<double>(variances.size(), 1.0));
+}
+
+/// nu_2 of `noise_floor.hpp`.
+double law_degrees(std::span<const ParityPoint> points) {
+  std::vector<double> variances, degrees;
+  for (const ParityPoint& point : points) {
+    if (!point.standard_error_known) continue;
+    variances.push_back(point.cuts * point.noise * point.noise);
+    degrees.push_back(point.cuts - 1);
+  }
+  return effective_degrees(variances, degrees);
+}
+
+NoiseVerdict judged(const OutputParity& output, std::span<const ParityPoint> compared, const ParitySummary& summary) {
+  if (!summary.noise || !output.all.noise) return {};
+  const int cases = output.all.cases;
+  std::vector<double> residuals;
+  for (const ParityPoint& point : compared) {
+    if (point.residual) residuals.push_back(*point.residual);
+  }
+  return judge({.rmse = *summary.rmse,
+                .noise = *summary.noise,
+                .compared_degrees = compared_degrees(compared),
+                .law_degrees = law_degrees(output.points),
+                .all_cases = cases,
+                .variance_of_means = cases > 1 ? squares_around_mean(output.points) / (cases - 1) : 0.0,
+                .noise_of_all_squared = *output.all.noise * *output.all.noise,
+                .residuals = residuals});
+}
+
+void compare(OutputParity& output) {
+  const auto by_mean = [](const ParityPoint& a, const ParityPoint& b) { return a.dem_mean < b.dem_mean; };
+  const auto [low, high] = std::minmax_element(output.points.begin(), output.points.end(), by_mean);
+  const double range = high->dem_mean - low->dem_mean;
+  const auto is = [](CaseRole role) { return [role](CaseRole seen) { return seen == role; }; };
+  const std::vector<ParityPoint> held_out = points_where(output.points, is_held_out);
+  output.all = summary_of(output.points, range);
+  output.train = summary_of(points_where(output.points, is(CaseRole::train)), range);
+  output.validation = summary_of(points_where(output.points, is(CaseRole::validation)), range);
+  output.held_out = summary_of(held_out, range);
+  output.judged =
+      held_out.empty() ? judged(output, output.points, output.all) : judged(output, held_out, output.held_out);
 }
 
 }  // namespace
 
-Parity parity(const Model& model, const TrainingData& data) {
+Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers) {
   Parity result;
   result.same_data = data.fingerprint == model.provenance.data_fingerprint;
-  for (const TrainingRow& mean : averaged(data).rows) {
-    const auto predictions = listed(predict(model, conditions_of(mean)));
+  const TrainingData means = averaged(data);
+  const ScatterLaw law = scatter_law(means.rows);
+  result.law_degrees = law.degrees_of_freedom;
+  for (const TrainingRow& mean : means.rows) {
+    const CaseRole role = role_of(model, mean.case_number, numbers);
+    const Prediction prediction = predict(model, conditions_of(mean));
+    if (is_held_out(role)) {
+      result.has_held_out = true;
+      if (!prediction.inside_training_range) ++result.outside_training_range;
+    }
+    const auto predictions = listed(prediction);
     for (std::size_t i = 0; i < output_count; ++i) {
-      result.outputs[i].points.push_back(parity_point(model, mean, predictions[i], i));
+      result.outputs[i].points.push_back(parity_point(mean, role, law, predictions[i], i));
     }
   }
   for (std::size_t i = 0; i < output_count; ++i) {
-    OutputParity& output = result.outputs[i];
-    output.name = output_names[i].name;
-    output.unit = output_names[i].unit;
-    const auto by_mean = [](const ParityPoint& a, const ParityPoint& b) { return a.dem_mean < b.dem_mean; };
-    const auto [low, high] = std::minmax_element(output.points.begin(), output.points.end(), by_mean);
-    const double range = high->dem_mean - low->dem_mean;
-    output.all = summary_of(output.points, range);
-    output.train = summary_of_role(output.points, CaseRole::train, range);
-    output.test = summary_of_role(output.points, CaseRole::test, range);
+    result.outputs[i].name = output_names[i].name;
+    result.outputs[i].unit = output_names[i].unit;
+    compare(result.outputs[i]);
   }
   return result;
 }

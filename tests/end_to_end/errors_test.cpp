@@ -71,11 +71,18 @@ TEST_F(Errors, PlacesThatCannotBeWritten) {
 
 TEST_F(Errors, ForceHistories) {
   expect("peaks " + file("empty.csv", ""), 2, "empty.csv: empty");
-  expect("peaks " + file("nan.csv", "time_s,force\n0,0\n1,nan\n"), 2,
-         "nan.csv:3: column force: nan (only finite numbers");
+  expect("peaks " + file("nan.csv", "time_s,force\n0,0\n1,nan\n2,1\n"), 0, "samples that are not numbers: 1");
+  expect("peaks " + file("nan.csv", "time_s,force\n0,nan\n1,nan\n"), 2, "nan.csv: no number in force");
+  expect("peaks " + file("nan.csv", "time_s,force\n0,0\nnan,1\n"), 2, "time_s of sample 1 is nan");
+  expect("peaks " + file("back.csv", "time_s,force\n0,0\n2,2\n1,1\n"), 2, "time_s falls from 2 to 1 at sample 2");
+  expect("peaks " + file("still.csv", "time_s,force\n1,0\n1,2\n1,1\n"), 2, "time_s is 1 in all samples");
   expect("peaks " + file("text.csv", "time_s,force\n0,strong\n"), 2, "'strong' is not a number");
-  expect("peaks " + file("good.csv", "time_s,force\n0,0\n1,2\n2,1\n") + " --column farce", 2,
-         "the nearest one there is force");
+  expect("peaks " + file("tabs.csv", "time_s\tforce\n0\t1\n"), 2, "columns are separated by commas");
+  expect("peaks " + file("bare.csv", "0,1\n1,2\n"), 2, "bare.csv:1: '0' in the header");
+  const std::string good = file("good.csv", "time_s,force\n0,0\n1,2\n2,1\n");
+  expect("peaks " + good + " --column farce", 2, "no column farce (there are: time_s, force)");
+  expect("peaks " + good + " --parts 0", 2, "--parts");
+  expect("peaks " + good + " --parts 1001", 2, "--parts");
   expect("peaks " + file("fake.h5", "not a run"), 2, "not an HDF5 file");
   expect("snapshot " + file("fake.h5", "not a run"), 2, "not an HDF5 file");
 }
@@ -103,6 +110,8 @@ TEST_F(Errors, TrainingDataAndModels) {
            2, "half.json");
   }
   expect("predict " + model + " --speed-m-per-s 9 --depth-mm 2 --rake-deg 15", 0, "outside the training range");
+  expect("predict " + model + " --speed-m-per-s 9 --depth-mm 2 --rake-deg 15 --strict", 2,
+         "outside the training range (cutter_speed_m_per_s 0.5 to ");
   expect("predict " + model + " --speed-m-per-s 1 --depth-mm 2 --rake-deg 15 --cut-length-mm 0", 2, "--cut-length-mm");
   expect("signal " + bit + " --model " + model + " --rpm 0 --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2, "rpm");
   expect("signal " + bit + " --model " + model + " --rpm nan --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2,

@@ -53,6 +53,9 @@ TEST(Csv, RefusesWithPlace) {
   EXPECT_EQ(message("a,b\n1,nan\n"), "table.csv:2: column b: nan (only finite numbers are allowed)");
   EXPECT_EQ(message("a,b\n1\n"), "table.csv:2: 1 values (the header has 2 columns)");
   EXPECT_EQ(message("a,a\n1,2\n"), "table.csv:1: column 'a' appears twice");
+  EXPECT_EQ(message("a;b\n1;2\n"), "table.csv:1: one column, 'a;b' (columns are separated by commas)");
+  EXPECT_EQ(message("a\tb\n1\t2\n"), "table.csv:1: one column, 'a\tb' (columns are separated by commas)");
+  EXPECT_EQ(message("0,1\n1,2\n"), "table.csv:1: '0' in the header (the first line gives the columns' names)");
   EXPECT_TRUE(std::isnan(base::read_csv(write("a\nnan\n"), true).columns[0][0]));
 }
 

@@ -1,17 +1,18 @@
-// Peaks by the rules of MATLAB's findpeaks, and the five statistics made of them.
+// Peaks by the rules of MATLAB's findpeaks, and the five statistics made of them. What must hold for any signal is in
+// peaks_properties_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "base/random.hpp"
 #include "peaks/find_peaks.hpp"
 #include "peaks/statistics.hpp"
+#include "tests/unit/peaks_signals.hpp"
 
 namespace {
 
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using peaks_signals::infinity;
+using peaks_signals::nan_value;
 using Indices = std::vector<std::size_t>;
 
 /// 1-based locations, as MATLAB prints them.
@@ -33,43 +34,96 @@ TEST(FindPeaks, VectorsWithKnownLocations) {
   EXPECT_EQ(locations({1}), Indices{});
 }
 
-TEST(FindPeaks, InfinityIsAlwaysAPeakAndHidesItsNeighbours) {
-  EXPECT_EQ(locations({0, infinity, 0}, 1e300), (Indices{2}));
-  EXPECT_EQ(locations({infinity, 0, 1, 0}), (Indices{1, 3}));
-  EXPECT_EQ(locations({0, 5, infinity, 5, 0}), (Indices{3}));
+TEST(FindPeaks, RunsOfNanHideBothTheirNeighbours) {
+  EXPECT_EQ(locations({0, 2, nan_value, nan_value, 2, 0}), Indices{});
+  EXPECT_EQ(locations({0, 1, 0, nan_value, nan_value, 0, 1, 0}), (Indices{2, 7}));
+  EXPECT_EQ(locations({nan_value, 0, 1, 0, nan_value}), (Indices{3}));
+  EXPECT_EQ(locations({0, 2, 2, nan_value, 2, 2, 0}), Indices{});  // flat tops that touch one
+  EXPECT_EQ(locations({nan_value, nan_value, nan_value}), Indices{});
 }
 
-/// The published steps taken literally: set infinities aside, put NaN at both ends, collapse runs of equal neighbours
-/// to their first sample, and look where the sign of the difference goes down from +1 to -1.
-Indices by_the_book(const std::vector<double>& signal, double height) {
-  std::vector<double> padded{nan_value};
-  padded.insert(padded.end(), signal.begin(), signal.end());
-  padded.push_back(nan_value);
-  std::vector<std::size_t> place;  // in `signal`, of each collapsed sample
-  std::vector<double> kept;
-  for (std::size_t i = 0; i < padded.size(); ++i) {
-    const bool same = !kept.empty() && (padded[i] == kept.back() || (std::isnan(padded[i]) && std::isnan(kept.back())));
-    if (same) continue;
-    kept.push_back(padded[i]);
-    place.push_back(i - 1);
-  }
+TEST(FindPeaks, InfinityIsAlwaysAPeakAndHidesItsNeighbours) {
+  EXPECT_EQ(locations({0, infinity, 0}, 1e300), (Indices{2}));
+  EXPECT_EQ(locations({0, infinity, 0}, infinity), (Indices{2}));  // not compared with the height
+  EXPECT_EQ(locations({infinity, 0, 1, 0}), (Indices{1, 3}));
+  EXPECT_EQ(locations({0, 1, 0, infinity}), (Indices{2, 4}));
+  EXPECT_EQ(locations({0, 5, infinity, 5, 0}), (Indices{3}));
+  EXPECT_EQ(locations({0, infinity, infinity, 0}), (Indices{2, 3}));  // each sample of a run
+  EXPECT_EQ(locations({infinity}), (Indices{1}));
+  EXPECT_EQ(locations({0, -infinity, 1, -infinity, 0}), (Indices{3}));  // below everything, otherwise ordinary
+  EXPECT_EQ(locations({-infinity, -1, -infinity}), (Indices{2}));
+}
+
+double sign(double value) {
+  return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : value;  // of a NaN: a NaN
+}
+
+/// The four steps of find_peaks.hpp, one after the other, slowly.
+Indices by_the_book(std::vector<double> signal, double height) {
   Indices found;
-  for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-    if (kept[k - 1] < kept[k] && kept[k + 1] < kept[k] && kept[k] > height) found.push_back(place[k]);
+  for (std::size_t i = 0; i < signal.size(); ++i) {  // 1: infinities aside
+    if (signal[i] != infinity) continue;
+    found.push_back(i);
+    signal[i] = nan_value;
   }
+  std::vector<double> kept{nan_value};  // 2: a NaN at both ends; of each run its first sample
+  Indices place{0};                     // in `signal`; that of the ends is never asked for
+  signal.push_back(nan_value);
+  for (std::size_t i = 0; i < signal.size(); ++i) {
+    const bool both_nan = std::isnan(signal[i]) && std::isnan(kept.back());
+    if (both_nan || signal[i] == kept.back()) continue;
+    kept.push_back(signal[i]);
+    place.push_back(i);
+  }
+  std::vector<double> signs;  // 3: from +1 to -1
+  for (std::size_t k = 0; k + 1 < kept.size(); ++k) signs.push_back(sign(kept[k + 1] - kept[k]));
+  for (std::size_t k = 0; k + 1 < signs.size(); ++k) {
+    const bool peak = signs[k + 1] - signs[k] < 0.0;
+    if (peak && kept[k + 1] > height) found.push_back(place[k + 1]);  // 4: strictly higher, and in order
+  }
+  std::sort(found.begin(), found.end());
   return found;
 }
 
 TEST(FindPeaks, AgreesWithTheLiteralStepsOnRandomSignals) {
-  base::Random random(5);
-  for (int trial = 0; trial < 20000; ++trial) {
-    std::vector<double> signal(base::below(random, 12));
-    for (double& value : signal) {
-      const auto draw = base::below(random, 6);
-      value = draw == 5 ? nan_value : static_cast<double>(draw);
+  using peaks_signals::Odd;
+  peaks_signals::on_every_unit([] {
+    for (std::uint64_t trial = 0; trial < 20000; ++trial) {
+      const auto length = static_cast<std::size_t>(13.0 * base::keyed_uniform(5, trial));
+      const auto odd = static_cast<Odd>(trial % 3);
+      const std::vector<double> signal = peaks_signals::random_signal(6, trial, length, 5, odd);
+      ASSERT_EQ(peaks::find_peaks(signal, 1.0), by_the_book(signal, 1.0)) << "trial " << trial;
+      ASSERT_EQ(peaks::find_peaks(signal), by_the_book(signal, -infinity)) << "trial " << trial;
     }
-    ASSERT_EQ(peaks::find_peaks(signal, 1.0), by_the_book(signal, 1.0)) << "trial " << trial;
-  }
+  });
+}
+
+TEST(FindPeaks, AgreesWithTheLiteralStepsWhereverASignalEnds) {
+  using peaks_signals::Odd;
+  peaks_signals::on_every_unit([] {
+    for (const std::size_t length : peaks_signals::telling_lengths()) {
+      for (std::uint64_t trial = 0; trial < 9; ++trial) {
+        const std::vector<double> signal =
+            peaks_signals::random_signal(7, trial, length, 2 + static_cast<int>(trial), static_cast<Odd>(trial % 3));
+        ASSERT_EQ(peaks::find_peaks(signal, 0.5), by_the_book(signal, 0.5)) << length << " samples, trial " << trial;
+      }
+    }
+  });
+}
+
+TEST(FindPeaks, FlatTopsReachOverWordsAndBlocks) {
+  peaks_signals::on_every_unit([] {
+    for (const std::size_t begin : {1, 62, 63, 64, 65, 2047, 2048, 2049}) {
+      for (const std::size_t length : {1, 2, 63, 64, 65, 2048, 5000}) {
+        std::vector<double> signal(begin + length + 1, 1.0);
+        std::fill_n(signal.begin(), begin, 0.0);
+        signal.back() = 0.0;
+        ASSERT_EQ(peaks::find_peaks(signal), Indices{begin}) << begin << " + " << length;
+        signal.back() = 2.0;
+        ASSERT_EQ(peaks::find_peaks(signal), Indices{}) << begin << " + " << length;
+      }
+    }
+  });
 }
 
 TEST(PeakStatistics, BandsOwnTheirUpperEdge) {
@@ -99,29 +153,65 @@ TEST(PeakStatistics, TheHighestSampleSetsTheThresholdEvenAtAnEnd) {
   EXPECT_EQ(statistics.count(), 1);
 }
 
-TEST(PeakStatistics, ScalingShiftingAndRepeatingChangeOnlyWhatTheyShould) {
-  base::Random random(8);
-  std::vector<double> signal(500);
-  for (double& value : signal) value = std::max(0.0, base::normal(random));
-  const auto reference = peaks::peak_statistics(signal);
-  ASSERT_GT(reference.np1 * reference.np23 * reference.np4, 0);
+TEST(PeakStatistics, InfiniteSamplesHaveNoHeight) {
+  const std::vector<double> signal{0, 4, 0, infinity, 0, 2, 0, -infinity, 1, -infinity, nan_value};
+  EXPECT_EQ(peaks::minimum_height(signal), 0.04);
+  EXPECT_EQ(peaks::counted_peaks(signal), (Indices{1, 5, 8}));
+  const auto statistics = peaks::peak_statistics(signal);
+  EXPECT_EQ(statistics.amax, 4.0);
+  EXPECT_EQ(statistics.amean, 7.0 / 3.0);
+  EXPECT_EQ(statistics.np1, 1);
+  EXPECT_EQ(statistics.np23, 1);
+  EXPECT_EQ(statistics.np4, 1);
+}
 
-  std::vector<double> scaled = signal, shifted(100, 0.0), repeated;
-  for (double& value : scaled) value *= 4.0;  // a power of two: exact
-  shifted.insert(shifted.end(), signal.begin(), signal.end());
-  shifted.front() = 0.0;
-  for (const double value : signal) repeated.insert(repeated.end(), 3, value);
+TEST(PeakStatistics, TheHighestSampleIsFoundWhereverItLies) {
+  peaks_signals::on_every_unit([] {
+    for (const std::size_t length : peaks_signals::telling_lengths()) {
+      for (std::size_t place = 0; place < length; place += 1 + length / 97) {
+        std::vector<double> signal(length, -1.0);
+        signal[place] = 300.0;
+        signal[(place + length / 2) % length] = place % 2 == 0 ? nan_value : infinity;
+        const bool hidden = std::isnan(signal[place]) || signal[place] == infinity;
+        ASSERT_EQ(peaks::minimum_height(signal), hidden ? 0.0 : 3.0) << place << " of " << length;
+      }
+    }
+  });
+}
 
-  const auto of_scaled = peaks::peak_statistics(scaled), of_repeated = peaks::peak_statistics(repeated);
-  EXPECT_EQ(of_scaled.amax, 4.0 * reference.amax);
-  EXPECT_EQ(of_scaled.amean, 4.0 * reference.amean);
-  EXPECT_EQ(of_scaled.count(), reference.count());
-  EXPECT_EQ(of_repeated.amean, reference.amean);
-  EXPECT_EQ(of_repeated.np1, reference.np1);
-  EXPECT_EQ(of_repeated.np23, reference.np23);
-  EXPECT_EQ(of_repeated.np4, reference.np4);
-  // a lead of zeros can at most turn the first sample into a peak
-  EXPECT_LE(std::abs(peaks::peak_statistics(shifted).count() - reference.count()), 1);
+/// As statistics.hpp says it, in one loop each.
+TEST(PeakStatistics, AgreeWithTheirDefinitionOnRandomSignals) {
+  using peaks_signals::Odd;
+  for (std::uint64_t trial = 0; trial < 2000; ++trial) {
+    const auto length = static_cast<std::size_t>(150.0 * base::keyed_uniform(9, trial));
+    const auto signal = peaks_signals::random_signal(10, trial, length, 400, static_cast<Odd>(trial % 3));
+    double highest = 0.0, amax = 0.0, sum = 0.0;
+    for (const double value : signal) {
+      if (std::isfinite(value)) highest = std::max(highest, value);
+    }
+    int np1 = 0, np23 = 0, np4 = 0;
+    const Indices found = by_the_book(signal, 0.01 * highest);
+    for (const std::size_t i : found) amax = std::isfinite(signal[i]) ? std::max(amax, signal[i]) : amax;
+    for (const std::size_t i : found) {
+      const double height = signal[i];
+      if (highest <= 0.0 || !std::isfinite(height)) continue;
+      sum += height;
+      if (height > 0.75 * amax) {
+        ++np1;
+      } else if (height > 0.25 * amax) {
+        ++np23;
+      } else {
+        ++np4;
+      }
+    }
+    const auto statistics = peaks::peak_statistics(signal);
+    const int count = np1 + np23 + np4;
+    ASSERT_EQ(statistics.amax, amax) << "trial " << trial;
+    ASSERT_EQ(statistics.amean, count == 0 ? 0.0 : sum / count) << "trial " << trial;  // whole numbers: exact
+    ASSERT_EQ(statistics.np1, np1) << "trial " << trial;
+    ASSERT_EQ(statistics.np23, np23) << "trial " << trial;
+    ASSERT_EQ(statistics.np4, np4) << "trial " << trial;
+  }
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST(Page, ParityPlotsInARow) {
   page.plots_in_row({report::parity_plot("amax", "N/m", points), report::parity_plot("np1", "1", points)});
   const std::string text = html(page);
   EXPECT_EQ(count(text, "class=\"legend\""), 1);
-  EXPECT_EQ(count(text, "Within 15 %: training 1 of 1, test 0 of 0."), 2);
+  EXPECT_EQ(count(text, "Within 15 %: training 100 %."), 2);
   EXPECT_EQ(count(text, "aspect-ratio:1"), 2);
 }
 

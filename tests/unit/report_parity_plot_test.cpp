@@ -7,6 +7,7 @@
 
 namespace {
 
+using report::CaseKind;
 using report::ParityPoint;
 using report::Plot;
 using report::Series;
@@ -21,7 +22,7 @@ Plot example() {
           {.dem = 100.0, .network = 116.0, .label = "b"},
           {.dem = 200.0, .network = 170.0, .label = "c"},
           {.dem = nan, .network = 1.0, .label = "d"},
-          {.dem = 80.0, .network = 60.0, .dem_standard_error = 5.0, .is_test = true, .label = "e"}});
+          {.dem = 80.0, .network = 60.0, .dem_standard_error = 5.0, .kind = CaseKind::held_out, .label = "e"}});
 }
 
 TEST(ParityPlot, TrainingAndTestCasesStandApart) {
@@ -37,6 +38,19 @@ TEST(ParityPlot, TrainingAndTestCasesStandApart) {
   EXPECT_NE(training.marker, test.marker);
 }
 
+TEST(ParityPlot, KindsWithoutCasesAreLeftOut) {
+  const Plot plot =
+      report::parity_plot("t", "",
+                          std::vector<ParityPoint>{{.dem = 1.0, .network = 1.0, .kind = CaseKind::validation},
+                                                   {.dem = 2.0, .network = 2.0, .kind = CaseKind::held_out}});
+  ASSERT_EQ(plot.series.size(), 4u);
+  EXPECT_EQ(plot.series[2].name, "validation");
+  EXPECT_EQ(plot.series[2].y, std::vector<double>{1.0});
+  EXPECT_EQ(plot.series[3].name, "held out");
+  EXPECT_EQ(report::parity_plot("t", "", {}).series.size(), 2u);
+  EXPECT_EQ(report::parity_plot("t", "", {}).caption, "");
+}
+
 TEST(ParityPlot, ErrorBarsOnlyWhereAnErrorIsKnown) {
   const Plot plot = example();
   EXPECT_TRUE(plot.series[2].error_x.empty());
@@ -44,7 +58,7 @@ TEST(ParityPlot, ErrorBarsOnlyWhereAnErrorIsKnown) {
 }
 
 TEST(ParityPlot, CountsWhatIsInsideTheBand) {
-  EXPECT_EQ(example().caption, "Within 15 %: training 2 of 3, test 0 of 1.");
+  EXPECT_EQ(example().caption, "Within 15 %: training 67 %, held out 0 %.");
 }
 
 TEST(ParityPlot, BothAxesAreAlikeAndHoldEveryPoint) {

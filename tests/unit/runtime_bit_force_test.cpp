@@ -45,11 +45,10 @@ runtime::BitMotion moving(double angle) {
 TEST(CutConditions, DepthTimesTurnsIsRateOfPenetration) {
   for (const double rotation : {0.5, 6.28, 20.0}) {
     for (const double rop : {1e-4, 2e-3, 1e-2}) {
-      const surrogate::CutConditions c =
-          cut_conditions(cutter(1, 0.07), {.rotation = rotation, .rate_of_penetration = rop});
+      const surrogate::CutConditions c = runtime::cut_conditions(0.07, 0.3, rotation, rop);
       EXPECT_DOUBLE_EQ(c.depth_of_cut * rotation / (2.0 * pi), rop);
       EXPECT_DOUBLE_EQ(c.cutter_speed, rotation * 0.07);
-      EXPECT_EQ(c.back_rake, cutter(1).back_rake);
+      EXPECT_EQ(c.back_rake, 0.3);
     }
   }
 }
@@ -59,7 +58,7 @@ TEST(BitForce, IsTheSumOfItsCuttersWithTheirArms) {
   runtime::BitForce whole(bit_of(cutters), constant_model(usual_pair()));
   std::vector<runtime::CutterForce> parts;
   for (const runtime::Cutter& c : cutters) {
-    parts.push_back(make_cutter_force(bit_of(cutters).signal, c.number, c.radius));
+    parts.push_back(runtime_test::cutter_force(bit_of(cutters).signal, c.number, c.radius));
   }
   for (int i = 0; i < 2000; ++i) {
     const double angle = 0.01 * i, window_angle = pi / 3.0, k = std::floor(angle / window_angle);
@@ -145,6 +144,7 @@ TEST(BitForce, ClampingIsCountedPerReason) {
   EXPECT_EQ(force.clamps().asked, 12);
   EXPECT_EQ(force.clamps().clamped(), 3 * 4 + 8);
   force.at(moving(3.1));  // the same window: nothing is asked
+  force.at(moving(1.5));  // a window that is still kept
   EXPECT_EQ(force.clamps().asked, 12);
 }
 
@@ -179,10 +179,22 @@ TEST(BitForce, NotANumberIsAnErrorWhereverItComesFrom) {
   EXPECT_THROW(force.at({.angle = 1e30, .rotation = 1.0, .rate_of_penetration = 1e-3}), base::SimulationError);
   EXPECT_THROW(force.at({.rotation = not_a_number, .rate_of_penetration = 1e-3}), base::SimulationError);
   EXPECT_THROW(force.at({.rotation = 1.0, .rate_of_penetration = not_a_number}), base::SimulationError);
+}
+
+TEST(BitForce, AModelThatOverflowsIsNamedWithCutterAndOutput) {
   surrogate::Model broken = constant_model(usual_pair());
-  broken.outputs[7].network.parameters[3] = not_a_number;
-  runtime::BitForce broken_force(shipped_bit(), broken);
-  EXPECT_THROW(broken_force.at(moving(0.0)), base::SimulationError);
+  broken.outputs[7].network.parameters = {0.0, 1e300, 0.0, 0.0};
+  broken.outputs[7].variable.scale = 1e300;
+  runtime::BitForce force(bit_of({cutter(4), cutter(5)}), broken);
+  try {
+    force.at(moving(0.0));
+    FAIL();
+  } catch (const base::SimulationError& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 58), "cutter 4: predicted y_np1_per_m is not a finite number at ")
+        << error.what();
+  }
+  EXPECT_EQ(force.clamps().asked, 0);
+  EXPECT_EQ(force.draws().drawn, 0);
 }
 
 TEST(BitForce, RefusesABitThatCannotBeUsed) {
@@ -195,6 +207,9 @@ TEST(BitForce, RefusesABitThatCannotBeUsed) {
   EXPECT_THROW(runtime::BitForce(wide, model), base::InputError);
   wide.signal = {.window_angle = not_a_number};
   EXPECT_THROW(runtime::BitForce(wide, model), base::InputError);
+  surrogate::Model broken = model;
+  broken.outputs[7].network.parameters[3] = not_a_number;
+  EXPECT_THROW(runtime::BitForce(bit_of({cutter(1)}), broken), base::InputError);
 }
 
 TEST(ConstantSpeed, IsWhatTheBitFeelsAtEverySampleToTheLastBit) {

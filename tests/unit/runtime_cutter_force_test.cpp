@@ -20,14 +20,14 @@ constexpr double radius = 0.1;  // [m]
 
 runtime::PeakWindow drawn(const runtime::SignalSettings& settings, int cutter, std::int64_t k,
                           const runtime::CutterStatistics& statistics = usual_pair()) {
-  runtime::PeakWindow window = runtime::empty_window();
+  runtime::PeakWindow window;
   draw_window(window, statistics, radius, settings, {.seed = settings.seed, .cutter = cutter, .window = k});
   return window;
 }
 
 /// The pulses of one window alone, with room before and after it: angle 0 is one window before it begins.
 runtime::PulseTrain alone(const runtime::PeakWindow& window, double window_angle) {
-  runtime::PulseTrain train = runtime::make_pulse_train(2 * runtime::largest_peak_count);
+  runtime::PulseTrain train;
   put_pulses(window, window_angle, 3.0 * window_angle, train);
   restart(train);
   return train;
@@ -133,9 +133,9 @@ TEST(PeakWindow, IsolatedPulseHasTheExactAreaOfItsSquare) {
 TEST(CutterForce, NeverNegativeAndBelowTheLargestWhereThePulsesDoNotAdd) {
   runtime::SignalSettings settings = usual_settings();
   settings.pulse_width_factor = 2.0;
-  runtime::CutterForce sum = make_cutter_force(settings, 1, radius);
+  runtime::CutterForce sum = runtime_test::cutter_force(settings, 1, radius);
   settings.combine = Combine::max;
-  runtime::CutterForce max = make_cutter_force(settings, 1, radius);
+  runtime::CutterForce max = runtime_test::cutter_force(settings, 1, radius);
   double largest_sum = 0.0;
   for (int i = 0; i < 40000; ++i) {
     const runtime::ForcePerMetre a = force(sum, 1e-3 * i), b = force(max, 1e-3 * i);
@@ -171,12 +171,12 @@ void expect_smooth(runtime::CutterForce& cutter, double edge, const runtime::Cut
 }
 
 TEST(CutterForce, TwiceDifferentiableOverWindowEdges) {
-  runtime::CutterForce cutter = make_cutter_force(usual_settings(), 1, radius);
+  runtime::CutterForce cutter = runtime_test::cutter_force(usual_settings(), 1, radius);
   for (int k = 1; k < 200; ++k) expect_smooth(cutter, k, usual_pair(), usual_pair());
 }
 
 TEST(CutterForce, SmoothWhileConditionsChange) {
-  runtime::CutterForce cutter = make_cutter_force(usual_settings(), 1, radius);
+  runtime::CutterForce cutter = runtime_test::cutter_force(usual_settings(), 1, radius);
   runtime::CutterStatistics now = usual_pair();
   for (int k = 1; k < 100; ++k) {
     runtime::CutterStatistics next = usual_pair();
@@ -189,8 +189,8 @@ TEST(CutterForce, SmoothWhileConditionsChange) {
 }
 
 TEST(CutterForce, StatisticsAreLatchedOneWindowAhead) {
-  runtime::CutterForce cutter = make_cutter_force(usual_settings(), 1, radius);
-  runtime::CutterForce steady = make_cutter_force(usual_settings(), 1, radius);
+  runtime::CutterForce cutter = runtime_test::cutter_force(usual_settings(), 1, radius);
+  runtime::CutterForce steady = runtime_test::cutter_force(usual_settings(), 1, radius);
   const runtime::CutterStatistics nothing;
   EXPECT_EQ(force(cutter, 0.5).x, force(steady, 0.5).x);
   // window 1 was drawn with window 0; window 2 comes into reach now, with nothing in it
@@ -199,9 +199,9 @@ TEST(CutterForce, StatisticsAreLatchedOneWindowAhead) {
 }
 
 TEST(CutterForce, DependsOnTheAngleAloneToTheLastBit) {
-  runtime::CutterForce fine = make_cutter_force(usual_settings(), 3, radius);
-  runtime::CutterForce coarse = make_cutter_force(usual_settings(), 3, radius);
-  runtime::CutterForce backward = make_cutter_force(usual_settings(), 3, radius);
+  runtime::CutterForce fine = runtime_test::cutter_force(usual_settings(), 3, radius);
+  runtime::CutterForce coarse = runtime_test::cutter_force(usual_settings(), 3, radius);
+  runtime::CutterForce backward = runtime_test::cutter_force(usual_settings(), 3, radius);
   std::vector<double> by_fine_steps;
   for (int i = 0; i < 40000; ++i) {
     const double here = force(fine, 1e-3 * i - 20.0).x;
@@ -217,7 +217,7 @@ TEST(CutterForce, DependsOnTheAngleAloneToTheLastBit) {
 }
 
 TEST(CutterForce, AStepTakenBackOverAnEdgeFindsTheForceItLeft) {
-  runtime::CutterForce cutter = make_cutter_force(usual_settings(), 1, radius);
+  runtime::CutterForce cutter = runtime_test::cutter_force(usual_settings(), 1, radius);
   for (int k = 0; k < 5; ++k) force(cutter, k + 0.5);
   const double left = force(cutter, 4.99).x;
   force(cutter, 5.01, {});  // another prediction at the far side
@@ -229,7 +229,7 @@ TEST(CutterForce, MeanForceDoesNotDependOnTheWindow) {
   for (const double window_angle : {0.75, 1.5, 3.0}) {
     runtime::SignalSettings settings = usual_settings();
     settings.window_angle = window_angle;
-    runtime::CutterForce cutter = make_cutter_force(settings, 1, radius);
+    runtime::CutterForce cutter = runtime_test::cutter_force(settings, 1, radius);
     double area = 0.0, leak = 0.0;
     for (int k = 0; k < static_cast<int>(turns / window_angle); ++k) {
       force(cutter, (k + 0.5) * window_angle, whole_pair());
@@ -237,10 +237,63 @@ TEST(CutterForce, MeanForceDoesNotDependOnTheWindow) {
                                      [&](double x) { return force_at(cutter.train, Combine::sum, x).x; });
       for (const runtime::PeakWindow& window : cutter.windows) leak = std::max(leak, window.x.half_width);
     }
-    EXPECT_EQ(cutter.tally.mean_missed, 0);
+    EXPECT_EQ(cutter.memory.tally.mean_missed, 0);
     // each window has exactly its share; only pulses over the two outer ends, at most a few of amax h, are not whole
     const double expected = 0.5 * whole_pair().x.amean * turns;
     EXPECT_NEAR(area, expected, 2.0 * 2.0 * whole_pair().x.amax * leak);
+  }
+}
+
+/// Mean over blocks of two windows of 1 rad, and its standard error.
+struct Estimate {
+  double mean = 0.0;
+  double error = 0.0;
+};
+
+Estimate estimate(const std::vector<double>& blocks) {
+  double sum = 0.0, squares = 0.0;
+  for (const double block : blocks) sum += block, squares += block * block;
+  const auto n = static_cast<double>(blocks.size());
+  return {.mean = sum / n, .error = std::sqrt((squares / n - sum * sum / (n * n)) / n)};
+}
+
+TEST(CutterForce, DoublingTheWindowDoublesThePeaksAndKeepsMeanSquareAndCorrelation) {
+  const double step = 4e-3, lag = 0.25 / (radius * 320.0);  // a quarter of a pulse
+  const int blocks = 600, samples = 500;
+  struct Moments {
+    std::vector<double> square, product;  // of the force, and with the force `lag` further on, in amax^2
+    int peaks = 0;
+  };
+  const auto moments = [&](double window_angle) {
+    runtime::SignalSettings settings = usual_settings();
+    settings.window_angle = window_angle;
+    runtime::CutterForce here = runtime_test::cutter_force(settings, 1, radius);
+    runtime::CutterForce there = runtime_test::cutter_force(settings, 1, radius);
+    Moments result{.peaks = drawn(settings, 1, 0, whole_pair()).x.counts.total()};
+    const auto at = [&](runtime::CutterForce& cutter, double angle) {
+      const double k = std::floor(angle / window_angle);
+      if (cutter.memory.entered != static_cast<std::int64_t>(k)) {
+        enter_window(cutter, static_cast<std::int64_t>(k), whole_pair());
+      }
+      return force_at(cutter.train, Combine::sum, angle - k * window_angle).x / whole_pair().x.amax;
+    };
+    for (int block = 0; block < blocks; ++block) {
+      double square = 0.0, product = 0.0;
+      for (int i = 0; i < samples; ++i) {
+        const double angle = 2.0 * block + step * i, force = at(here, angle);
+        square += force * force, product += force * at(there, angle + lag);
+      }
+      result.square.push_back(square / samples), result.product.push_back(product / samples);
+    }
+    return result;
+  };
+  const Moments half = moments(1.0), whole = moments(2.0);
+  EXPECT_EQ(half.peaks, 32);
+  EXPECT_EQ(whole.peaks, 64);
+  for (const auto member : {&Moments::square, &Moments::product}) {
+    const Estimate a = estimate(half.*member), b = estimate(whole.*member);
+    EXPECT_LT(std::max(a.error, b.error), 0.01 * a.mean);  // the samples can tell one per cent
+    EXPECT_NEAR(a.mean, b.mean, 4.0 * std::hypot(a.error, b.error));
   }
 }
 
@@ -289,15 +342,15 @@ TEST(PeakWindow, APulseReachesNoFurtherThanTheNextWindow) {
 }
 
 TEST(CutterForce, TallyCountsWhatCouldNotBeGranted) {
-  runtime::CutterForce cutter = make_cutter_force(usual_settings(), 1, radius);
+  runtime::CutterForce cutter = runtime_test::cutter_force(usual_settings(), 1, radius);
   const runtime::PeakStatistics alone{.amax = 2.0, .amean = 1.0, .np1 = 10.0};  // one peak, of the top band
   const runtime::PeakStatistics crowd{.amax = 2.0, .amean = 1.0, .np1 = 1e5, .np23 = 1e5, .np4 = 1e5};
   enter_window(cutter, 0, {.x = alone, .y = crowd});
-  EXPECT_EQ(cutter.tally.drawn, 6);
-  EXPECT_EQ(cutter.tally.mean_missed, 3);
-  EXPECT_EQ(cutter.tally.capped, 3);
-  EXPECT_EQ(cutter.tally.band_left, 0);
-  EXPECT_EQ(cutter.tally.narrowed, 0);
+  EXPECT_EQ(cutter.memory.tally.drawn, 6);
+  EXPECT_EQ(cutter.memory.tally.mean_missed, 3);
+  EXPECT_EQ(cutter.memory.tally.capped, 3);
+  EXPECT_EQ(cutter.memory.tally.band_left, 0);
+  EXPECT_EQ(cutter.memory.tally.narrowed, 0);
 }
 
 }  // namespace

@@ -33,6 +33,12 @@ inline runtime::SignalSettings usual_settings() {
   return settings;
 }
 
+inline runtime::CutterForce cutter_force(const runtime::SignalSettings& settings, int cutter, double path_radius) {
+  runtime::CutterForce force;
+  set_up(force, settings, cutter, path_radius);
+  return force;
+}
+
 /// Angles between which the force of a train is one polynomial of degree five.
 inline std::vector<double> break_points(const runtime::PulseTrain& train, double from, double to) {
   std::vector<double> points{from, to};

@@ -11,15 +11,16 @@ namespace {
 
 using surrogate::Batch;
 using surrogate::Network;
+using surrogate::OutputActivation;
 
 struct Sample {
   int rows;
-  std::vector<double> inputs, targets;
-  Batch batch() const { return {rows, inputs, targets}; }
+  std::vector<double> inputs, targets, weights;
+  Batch batch() const { return {rows, inputs, targets, weights}; }
 };
 
 Sample random_sample(base::Random& random, const Network& network, int rows) {
-  Sample sample{rows, {}, {}};
+  Sample sample{rows, {}, {}, {}};
   for (int i = 0; i < rows * network.layers.front(); ++i) sample.inputs.push_back(base::uniform(random, -1.0, 1.0));
   for (int i = 0; i < rows * network.layers.back(); ++i) sample.targets.push_back(base::uniform(random));
   return sample;
@@ -42,18 +43,21 @@ double distance_to_kink(const Network& network, const Sample& sample) {
 }
 
 /// Random networks (biases too) whose samples lie away from every kink. In one parameter the loss is then a quadratic,
-/// for which the central difference is exact, so only rounding remains: about 1e-16 / step.
-void compare_with_central_differences(const std::vector<int>& layers, int rows) {
+/// for which the central difference is exact, so only rounding remains: about 1e-16 / step. With a softplus output the
+/// third derivative adds about step^2 / 6 of it, 2e-11.
+void compare_with_central_differences(const std::vector<int>& layers, int rows,
+                                      OutputActivation output = OutputActivation::rectified, bool weighted = false) {
   constexpr double step = 1e-5, margin = 1e-3, tolerance = 1e-7;
   constexpr int wanted = 100;
   base::Random random(17);
-  Network network{.layers = layers, .parameters = {}};
+  Network network{.layers = layers, .output = output, .parameters = {}};
   std::vector<double> largest(surrogate::parameter_count(layers), 0.0);
   int compared = 0;
   for (int trial = 0; trial < 10000 && compared < wanted; ++trial) {
     surrogate::initialise(network, random);
     for (double& parameter : network.parameters) parameter += 0.3 * base::normal(random);
-    const Sample sample = random_sample(random, network, rows);
+    Sample sample = random_sample(random, network, rows);
+    for (int i = 0; weighted && i < rows; ++i) sample.weights.push_back(base::uniform(random, 0.0, 3.0));
     if (distance_to_kink(network, sample) < margin) continue;
     surrogate::GradientBuffers buffers;
     std::vector<double> gradient(network.parameters.size());
@@ -85,6 +89,13 @@ TEST(SurrogateGradient, AgreesForOneRowOneLayerAndSeveralOutputs) {
   compare_with_central_differences({3, 4, 6, 3, 1}, 1);
   compare_with_central_differences({3, 1}, 4);
   compare_with_central_differences({2, 5, 3}, 7);
+}
+
+TEST(SurrogateGradient, AgreesForOtherOutputsAndForWeightedRows) {
+  compare_with_central_differences({3, 4, 6, 3, 1}, 4, OutputActivation::softplus);
+  compare_with_central_differences({3, 4, 6, 3, 1}, 4, OutputActivation::linear);
+  compare_with_central_differences({2, 5, 3}, 7, OutputActivation::softplus, true);
+  compare_with_central_differences({3, 4, 6, 3, 1}, 4, OutputActivation::rectified, true);
 }
 
 TEST(SurrogateGradient, AgreesWithAHandComputedNet) {

@@ -100,4 +100,28 @@ TEST(SurrogateModel, PredictingAndClampingTakeNoMemory) {
   EXPECT_EQ(allocations::so_far() - before, 1) << "the counter itself does not count";
 }
 
+TEST(SurrogateModel, LogarithmsThereAndBack) {
+  surrogate::OutputModel output{.variable = {.offset = 0.0, .scale = 2.0}, .log_reference = 5.0};
+  const double value = 5.0 * (std::exp(3.0) - 1.0);  // ln(1 + y / 5) = 3
+  EXPECT_NEAR(surrogate::to_network(output, value), 1.5, 1e-15);
+  EXPECT_NEAR(surrogate::from_network(output, 1.5), value, 1e-13 * value);
+  EXPECT_EQ(surrogate::to_network(output, 0.0), 0.0);
+  EXPECT_EQ(surrogate::from_network(output, 0.0), 0.0);
+  output.log_reference = 0.0;
+  EXPECT_EQ(surrogate::to_network(output, 7.0), 3.5);
+  EXPECT_EQ(surrogate::from_network(output, 3.5), 7.0);
+}
+
+TEST(SurrogateModel, WhatALinearOutputGivesBelowZeroIsZero) {
+  surrogate::OutputModel output{.variable = {.offset = 0.0, .scale = 2.0}};
+  EXPECT_EQ(surrogate::from_network(output, -0.1), 0.0);
+  EXPECT_TRUE(std::isnan(surrogate::from_network(output, std::nan(""))));
+  surrogate::Model model = linear_model();
+  for (surrogate::OutputModel& one : model.outputs) {
+    one.network.output = surrogate::OutputActivation::linear;
+    one.network.parameters = {0.0, 0.0, 0.0, -1.0};
+  }
+  EXPECT_EQ(predict(model, {1.0, 2e-3, 0.3}).x.amax, 0.0);
+}
+
 }  // namespace

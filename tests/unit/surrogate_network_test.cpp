@@ -106,4 +106,37 @@ TEST(SurrogateNetwork, LayersOutOfRangeAreRefused) {
   EXPECT_THROW(surrogate::initialise(network, random), base::InputError);
 }
 
+TEST(SurrogateNetwork, OutputActivationsHaveTheirValuesAndSlopes) {
+  using enum surrogate::OutputActivation;
+  using surrogate::activated;
+  using surrogate::activation_slope;
+  EXPECT_EQ(activated(rectified, -2.0), 0.0);
+  EXPECT_EQ(activated(rectified, 2.0), 2.0);
+  EXPECT_EQ(activated(linear, -2.0), -2.0);
+  EXPECT_DOUBLE_EQ(activated(softplus, 0.0), std::log(2.0));
+  EXPECT_DOUBLE_EQ(activated(softplus, 1.0), std::log1p(std::exp(1.0)));
+  EXPECT_EQ(activated(softplus, 800.0), 800.0);  // where e^z overflows
+  EXPECT_EQ(activated(softplus, -800.0), 0.0);
+  EXPECT_EQ(activation_slope(rectified, 2.0), 1.0);
+  EXPECT_EQ(activation_slope(rectified, 0.0), 0.0);
+  EXPECT_EQ(activation_slope(linear, -2.0), 1.0);
+  for (const double z : {-3.0, 0.0, 0.7, 30.0}) {
+    EXPECT_NEAR(activation_slope(softplus, activated(softplus, z)), 1.0 / (1.0 + std::exp(-z)), 1e-15);
+  }
+  for (const auto activation : {rectified, softplus, linear}) {
+    EXPECT_TRUE(std::isnan(activated(activation, std::nan(""))));
+    EXPECT_EQ(surrogate::output_activation(surrogate::name_of(activation)), activation);
+  }
+  EXPECT_FALSE(surrogate::output_activation("tanh").has_value());
+}
+
+TEST(SurrogateNetwork, OnlyTheLastLayerIsOfAnotherKind) {
+  // Hidden unit off: relu(-1) = 0, so the output is its bias; a linear hidden unit would give -1 + -3.
+  const Network network{
+      .layers = {1, 1, 1}, .output = surrogate::OutputActivation::linear, .parameters = {1.0, 0.0, 1.0, -3.0}};
+  double output = 0.0;
+  surrogate::forward(network, std::vector<double>{-1.0}, {&output, 1});
+  EXPECT_EQ(output, -3.0);
+}
+
 }  // namespace

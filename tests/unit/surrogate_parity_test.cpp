@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/unit/surrogate_fixture.hpp"
 
@@ -33,6 +34,7 @@ TrainingRow row(int case_number, long long seed, double amax) {
   made.case_number = case_number;
   made.seed = seed;
   made.inputs = {0.5 + 0.1 * case_number, 2.0, 15.0};
+  made.cut_length = 0.05;
   made.outputs.fill(7.0);
   made.outputs[0] = amax;
   return made;
@@ -92,11 +94,82 @@ TEST(SurrogateParity, SummariesAgreeWithPencilAndPaper) {
   EXPECT_NEAR(*train.rmse, std::sqrt((4 + 36 + 100) / 3.0), 1e-14);
   EXPECT_NEAR(*train.dem_standard_error, std::sqrt(0.5), 1e-14);
 
-  const ParitySummary& test = seen.outputs[0].test;
-  EXPECT_EQ(test.cases, 1);
-  EXPECT_NEAR(*test.max_deviation, 2.0 / 12, 1e-15);
-  EXPECT_NEAR(*test.max_of_range, 2.0 / 20, 1e-15);
-  EXPECT_FALSE(test.r2.has_value());  // one point has no spread
+  const ParitySummary& held_out = seen.outputs[0].held_out;  // case 3, and case 9 that training never heard of
+  EXPECT_EQ(held_out.cases, 2);
+  EXPECT_NEAR(*held_out.mean_deviation, (2.0 / 12 + 10.0 / 20) / 2, 1e-15);
+  EXPECT_NEAR(*held_out.max_of_range, 10.0 / 20, 1e-15);
+  EXPECT_EQ(seen.outputs[0].validation.cases, 0);
+}
+
+TEST(SurrogateParity, ValidationCasesStandApart) {
+  surrogate::Model model = constant_model();
+  model.provenance.train_cases = {2, 4};
+  model.provenance.validation_cases = {1};
+  const surrogate::OutputParity seen = surrogate::parity(model, constructed()).outputs[0];
+  EXPECT_EQ(seen.points[0].role, CaseRole::validation);
+  EXPECT_EQ(seen.validation.cases, 1);
+  EXPECT_NEAR(*seen.validation.max_deviation, 2.0 / 8, 1e-15);
+  EXPECT_FALSE(seen.validation.r2.has_value());  // one point has no spread
+  EXPECT_EQ(seen.train.cases, 2);
+  EXPECT_EQ(seen.held_out.cases, 2);
+  EXPECT_EQ(seen.all.cases, 5);
+}
+
+TEST(SurrogateParity, NoiseIsThatOfTheLaw) {
+  // phi = sum n s^2 / sum y^2 over the cases cut twice (1, 3, 4) = (2 * 1 + 2 * 4 + 0) / (64 + 144 + 0)
+  constexpr double phi = 10.0 / 208.0;
+  const Parity all_outputs = surrogate::parity(constant_model(), constructed());
+  EXPECT_EQ(all_outputs.law_degrees, 3);
+  const surrogate::OutputParity& seen = all_outputs.outputs[0];
+  EXPECT_NEAR(seen.points[0].noise, 8.0 * std::sqrt(phi / 2), 1e-14);
+  EXPECT_NEAR(seen.points[1].noise, 16.0 * std::sqrt(phi), 1e-14);  // cut once
+  EXPECT_EQ(seen.points[3].noise, 0.0);
+  // residuals: half-way between DEM mean and prediction 10, so case 4 with its mean of 0 has one too
+  EXPECT_NEAR(*seen.points[0].residual, 2.0 / (9.0 * std::sqrt(phi / 2)), 1e-13);
+  EXPECT_NEAR(*seen.points[3].residual, 10.0 / (5.0 * std::sqrt(phi / 2)), 1e-13);
+  const double squares = phi * (144.0 / 2 + 400.0) / 2;  // cases 3 and 9
+  EXPECT_NEAR(*seen.held_out.noise, std::sqrt(squares), 1e-13);
+  EXPECT_NEAR(*seen.held_out.rmse_over_noise, std::sqrt((4.0 + 100.0) / 2 / squares), 1e-14);
+  // of two cases the expected maximum is sqrt(2 / pi) hypot(s_1, s_2): see surrogate_noise_floor_test.cpp
+  const double half_normal = std::sqrt(2.0 / std::numbers::pi);
+  const surrogate::NoiseAlone &value = *seen.held_out.noise_alone, &range = *seen.held_out.noise_of_range;
+  EXPECT_NEAR(value.max, half_normal * std::hypot(std::sqrt(phi / 2), std::sqrt(phi)), 1e-8);
+  EXPECT_NEAR(value.mean, half_normal * (std::sqrt(phi / 2) + std::sqrt(phi)) / 2, 1e-14);
+  EXPECT_NEAR(range.max, half_normal * std::sqrt(2 * squares) / 20.0, 1e-8);
+  EXPECT_GT(value.high_max, value.max);
+  // nothing scatters in output 1
+  EXPECT_FALSE(all_outputs.outputs[1].points[0].residual);
+  EXPECT_FALSE(all_outputs.outputs[1].all.noise || all_outputs.outputs[1].all.noise_alone);
+}
+
+TEST(SurrogateParity, VerdictRestsOnHeldOutCases) {
+  const Parity seen = surrogate::parity(constant_model(), constructed());
+  EXPECT_TRUE(seen.has_held_out);
+  EXPECT_EQ(*seen.outputs[0].judged.ratio, *seen.outputs[0].held_out.rmse_over_noise);
+  EXPECT_EQ(seen.outputs[1].judged.verdict, surrogate::Verdict::no_scatter_known);
+
+  surrogate::Model all_learnt = constant_model();
+  all_learnt.provenance.train_cases = {1, 2, 3, 4, 9};
+  all_learnt.provenance.test_cases = {};
+  const Parity fallen_back = surrogate::parity(all_learnt, constructed());
+  EXPECT_FALSE(fallen_back.has_held_out);
+  EXPECT_FALSE(fallen_back.outputs[0].held_out.rmse.has_value());
+  EXPECT_EQ(*fallen_back.outputs[0].judged.ratio, *fallen_back.outputs[0].all.rmse_over_noise);
+}
+
+TEST(SurrogateParity, CasesOfAnotherStudyAreAllUnseen) {
+  const Parity seen = surrogate::parity(constant_model(), constructed(), surrogate::CaseNumbers::of_another_study);
+  EXPECT_EQ(seen.outputs[0].held_out.cases, 5);
+  EXPECT_EQ(seen.outputs[0].train.cases, 0);
+  for (const surrogate::ParityPoint& point : seen.outputs[0].points) EXPECT_EQ(point.role, CaseRole::unseen);
+  EXPECT_EQ(seen.outside_training_range, 0);
+}
+
+TEST(SurrogateParity, CountsHeldOutCasesOutsideTheTrainingRange) {
+  TrainingData data = constructed();
+  data.rows.back().inputs[1] = 9.0;   // case 9: depths were learnt from 1 to 5 mm
+  data.rows.front().inputs[1] = 9.0;  // a training case is not counted
+  EXPECT_EQ(surrogate::parity(constant_model(), data).outside_training_range, 1);
 }
 
 TEST(SurrogateParity, WhatCannotBeSaidIsAbsent) {
@@ -114,7 +187,10 @@ TEST(SurrogateParity, WhatCannotBeSaidIsAbsent) {
   EXPECT_FALSE(zero.r2.has_value());
   EXPECT_FALSE(zero.dem_standard_error.has_value());
   EXPECT_EQ(zero.rmse, 10.0);
-  const ParitySummary& nobody = seen.outputs[0].test;
+  EXPECT_FALSE(zero.noise || zero.noise_alone || zero.noise_of_range || zero.rmse_over_noise);
+  EXPECT_EQ(seen.law_degrees, 0);
+  EXPECT_EQ(seen.outputs[0].judged.verdict, surrogate::Verdict::no_scatter_known);
+  const ParitySummary& nobody = seen.outputs[0].held_out;
   EXPECT_EQ(nobody.cases, 0);
   EXPECT_FALSE(nobody.rmse.has_value());
   EXPECT_FALSE(nobody.mean_deviation.has_value());
@@ -134,7 +210,7 @@ TEST(SurrogateParity, APerfectModelHasNoDeviation) {
     EXPECT_LT(*output.all.max_deviation, 1e-14) << output.name;
     EXPECT_NEAR(*output.all.r2, 1.0, 1e-14) << output.name;
     EXPECT_EQ(output.train.cases, 4);  // 1, 2, 4, 5
-    EXPECT_EQ(output.test.cases, 1);
+    EXPECT_EQ(output.held_out.cases, 1);
   }
 }
 
