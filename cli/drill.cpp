@@ -6,6 +6,7 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "cli/bit_tallies.hpp"
 #include "cli/command.hpp"
 #include "runtime/drillstring/drill_file.hpp"
 #include "runtime/drillstring/modes.hpp"
@@ -122,7 +123,7 @@ std::optional<surrogate::Model> model_of(const Options& options, runtime::DrillC
   return model;
 }
 
-nlohmann::json as_json(const runtime::Spread& spread, double unit) {
+nlohmann::json spread_json(const runtime::Spread& spread, double unit) {
   return {{"mean", spread.mean / unit},
           {"sd", spread.deviation / unit},
           {"min", spread.lowest / unit},
@@ -130,14 +131,13 @@ nlohmann::json as_json(const runtime::Spread& spread, double unit) {
 }
 
 nlohmann::json summary_json(const runtime::DrillSummary& s) {
-  const runtime::ClampTally& clamps = s.clamps;
-  return {{"bit_rotation_rpm", as_json(s.bit_rotation, rpm)},
-          {"weight_on_bit_N", as_json(s.weight_on_bit, 1.0)},
-          {"total_force_N", as_json(s.total_force, 1.0)},
-          {"torque_on_bit_N_m", as_json(s.torque, 1.0)},
-          {"source_force_N", as_json(s.source_force, 1.0)},
-          {"source_torque_N_m", as_json(s.source_torque, 1.0)},
-          {"rop_m_per_h", as_json(s.rop, 1.0 / 3600.0)},
+  return {{"bit_rotation_rpm", spread_json(s.bit_rotation, rpm)},
+          {"weight_on_bit_N", spread_json(s.weight_on_bit, 1.0)},
+          {"total_force_N", spread_json(s.total_force, 1.0)},
+          {"torque_on_bit_N_m", spread_json(s.torque, 1.0)},
+          {"source_force_N", spread_json(s.source_force, 1.0)},
+          {"source_torque_N_m", spread_json(s.source_torque, 1.0)},
+          {"rop_m_per_h", spread_json(s.rop, 1.0 / 3600.0)},
           {"static_weight_on_bit_N", s.static_weight_on_bit},
           {"severity", s.severity},
           {"share_at_rest", s.share_at_rest},
@@ -145,19 +145,8 @@ nlohmann::json summary_json(const runtime::DrillSummary& s) {
           {"share_off_bottom", s.share_off_bottom},
           {"drilled_m", s.drilled},
           {"energy_residual_fraction", s.energy_residual},
-          {"clamped",
-           {{"asked", clamps.asked},
-            {"speed_below", clamps.speed_below},
-            {"speed_above", clamps.speed_above},
-            {"depth_below", clamps.depth_below},
-            {"depth_above", clamps.depth_above},
-            {"rake_below", clamps.rake_below},
-            {"rake_above", clamps.rake_above}}},
-          {"windows",
-           {{"drawn", s.draws.drawn},
-            {"mean_missed", s.draws.mean_missed},
-            {"narrowed", s.draws.narrowed},
-            {"capped", s.draws.capped}}}};
+          {"clamped", as_json(s.clamps)},
+          {"windows", as_json(s.draws)}};
 }
 
 void print(const Options& options, const runtime::DrillCase& drill, const runtime::DrillRun& run) {
@@ -179,14 +168,7 @@ void print(const Options& options, const runtime::DrillCase& drill, const runtim
       "of the time; drilled {:.4g} mm\n",
       s.static_weight_on_bit * 1e-3, s.severity, 100.0 * s.share_at_rest, 100.0 * s.share_backwards,
       100.0 * s.share_off_bottom, s.drilled * 1e3);
-  if (s.clamps.clamped() > 0) {
-    say(options.common,
-        "outside the training range, answered for its edge: speed too low {}, too high {}; depth too low {}, too high "
-        "{}; rake "
-        "too low {}, too high {} (of {} questions)\n",
-        s.clamps.speed_below, s.clamps.speed_above, s.clamps.depth_below, s.clamps.depth_above, s.clamps.rake_below,
-        s.clamps.rake_above, s.clamps.asked);
-  }
+  say_clamps(options.common, s.clamps);
   say(options.common, "energy lost by the solver {:.2g} %; {:.0f} times real time -> {}\n", 100.0 * s.energy_residual,
       drill.run.duration / run.wall_time, options.output);
 }

@@ -5,6 +5,7 @@
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "cli/bit_tallies.hpp"
 #include "cli/command.hpp"
 #include "runtime/bit/constant_speed.hpp"
 #include "surrogate/net/model_file.hpp"
@@ -38,20 +39,13 @@ void run(const Options& options) {
                     base::csv_text({"time_s", "angle_rad", "axial_force_N", "torque_N_m"},
                                    {signal.time_s, signal.angle_rad, signal.axial_force_N, signal.torque_N_m}));
   const runtime::SignalSummary& s = signal.summary;
-  const runtime::ClampTally& clamps = s.clamps;
   const runtime::DrawTally& draws = s.draws;
   const double times_real_time = options.duration / wall;
   say(options.common, "{}: {:g} rpm, {:g} m/h, depth of cut {:.4g} mm per turn\n", bit.name, options.rpm,
       options.rop_m_per_h, s.depth_of_cut_m * 1e3);
   say(options.common, "axial force mean {:.4g} kN, max {:.4g} kN; torque mean {:.4g} N m, max {:.4g} N m\n",
       s.mean_force_N * 1e-3, s.max_force_N * 1e-3, s.mean_torque_N_m, s.max_torque_N_m);
-  if (clamps.clamped() > 0) {
-    say(options.common,
-        "outside the training range, answered for its edge: speed too low {}, too high {}; depth too low {}, too high "
-        "{}; rake too low {}, too high {} (of {} questions)\n",
-        clamps.speed_below, clamps.speed_above, clamps.depth_below, clamps.depth_above, clamps.rake_below,
-        clamps.rake_above, clamps.asked);
-  }
+  say_clamps(options.common, s.clamps);
   if (draws.mean_missed + draws.narrowed > 0) {
     say(options.common,
         "of {} windows, {} cannot have the mean peak the networks say, and {} hold so few peaks that these do not fill "
@@ -69,20 +63,8 @@ void run(const Options& options) {
                               {"mean_torque_N_m", s.mean_torque_N_m},
                               {"max_torque_N_m", s.max_torque_N_m},
                               {"depth_of_cut_m", s.depth_of_cut_m},
-                              {"clamped",
-                               {{"asked", clamps.asked},
-                                {"speed_below", clamps.speed_below},
-                                {"speed_above", clamps.speed_above},
-                                {"depth_below", clamps.depth_below},
-                                {"depth_above", clamps.depth_above},
-                                {"rake_below", clamps.rake_below},
-                                {"rake_above", clamps.rake_above}}},
-                              {"windows",
-                               {{"drawn", draws.drawn},
-                                {"mean_missed", draws.mean_missed},
-                                {"band_left", draws.band_left},
-                                {"narrowed", draws.narrowed},
-                                {"capped", draws.capped}}},
+                              {"clamped", as_json(s.clamps)},
+                              {"windows", as_json(draws)},
                               {"samples", signal.time_s.size()},
                               {"times_real_time", times_real_time}});
 }
