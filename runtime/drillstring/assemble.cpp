@@ -49,6 +49,20 @@ BitSupport torsional_support(const DrillString& string) {
           .damping = steepest_friction(string, static_weight_on_bit(string))};
 }
 
+/// Masses [kg], inertias [kg m2] and stiffnesses whose ratios a solver can handle. A free chain has a spring of 0.
+void require_sensible(const std::string& name, const char* direction, const Chain& chain) {
+  constexpr double smallest = 1e-9, largest = 1e18;
+  const auto check = [&](const char* what, double value) {
+    if (value >= smallest && value <= largest) return;
+    throw base::InputError(fmt::format("{}: a lump of the {} chain has the {} {:g} (must be from {:g} to {:g}, SI)",
+                                       name, direction, what, value, smallest, largest));
+  };
+  for (const double inertia : chain.inertia) check("inertia", inertia);
+  for (const double stiffness : chain.stiffness) {
+    if (stiffness != 0.0) check("stiffness", stiffness);
+  }
+}
+
 }  // namespace
 
 DrillString assemble(const DrillCase& drill) {
@@ -86,6 +100,8 @@ DrillString assemble(const DrillCase& drill) {
   }
   string.bit.hydraulic_force =
       hydraulic_force(drill.pressure_drop, drill.nozzle_area, drill.jets_push_up ? JetForce::up : JetForce::down);
+  require_sensible(drill.name, "axial", string.axial);
+  require_sensible(drill.name, "torsional", string.torsional);
   return string;
 }
 

@@ -14,10 +14,22 @@ namespace runtime {
 
 namespace {
 
-using base::any, base::at_least, base::between, base::deg, base::GPa, base::mm, base::MPa, base::positive;
+using base::any, base::between, base::deg, base::GPa, base::mm, base::MPa;
 
 constexpr double rpm = 2.0 * std::numbers::pi / 60.0, kN = 1e3, ms = 1e-3, mm2 = 1e-6;
 constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
+constexpr double most_steps = 1e9;    // an hour or two of one core
+
+// In the unit of the key. What lies outside is a slip of the pen, and its products would leave the range of a double.
+constexpr double smallest = 1e-12, largest = 1e15;
+
+base::Range positive() {
+  return between(smallest, largest);
+}
+
+base::Range at_least(double low) {
+  return between(low, largest);
+}
 
 /// Words of the file on their way to enumerations.
 struct Words {
@@ -281,6 +293,8 @@ void check_together(const base::ConfigFile& file, const DrillCase& drill) {
   if (run.sample > run.duration) file.refuse("run", "duration_s", "must be at least sample_ms");
   if (run.duration / run.sample > most_samples)
     file.refuse("run", "sample_ms", fmt::format("gives more than {:.0f} rows; raise it", most_samples));
+  if (run.duration / run.step > most_steps)
+    file.refuse("run", "step_ms", fmt::format("gives more than {:.0e} steps; raise it", most_steps));
   if (run.settling >= run.duration) file.refuse("run", "settling_s", "must be below duration_s");
   if (!drill.wall_force.empty() &&
       drill.wall_force.size() !=

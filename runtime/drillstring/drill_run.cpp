@@ -155,9 +155,10 @@ DrillRun run_drill(const DrillCase& drill, const DrillString& string, const Dril
   record(string, state, run.series);
   Observed seen;
   for (long long sample = 0; sample < samples; ++sample) {
-    base::throw_if_stopped();
     if (progress) progress(static_cast<double>(sample) * drill.run.sample, drill.run.duration);
     for (long long i = 0; i < steps_a_sample; ++i) {
+      constexpr long long steps_between_looks = 4096;
+      if (i % steps_between_looks == 0) base::throw_if_stopped();
       advance(string, state, source.load, run.step);
       if (state.time > drill.run.settling) observe(state, seen);
     }

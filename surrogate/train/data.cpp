@@ -36,6 +36,18 @@ constexpr std::array<OutputColumn, output_count> output_columns{{{"x_amax_N_per_
 
 constexpr base::Range rake_range{.low = -90.0, .high = 90.0, .low_open = true, .high_open = true};
 
+// In the units of the columns: numbers of a rock, a rig or a model lie far inside, and squares of these are still
+// finite.
+constexpr double largest = 1e12;
+
+base::Range positive() {
+  return {.low = 0.0, .high = largest, .low_open = true};
+}
+
+base::Range not_negative() {
+  return base::between(0.0, largest);
+}
+
 /// One cell, checked.
 double cell(const base::CsvTable& table, const std::string& name, std::size_t row, const base::Range& range) {
   const double value = table.column(name)[row];
@@ -67,7 +79,7 @@ void read_errors(const base::CsvTable& table, std::size_t row, TrainingRow& read
   for (std::size_t i = 0; i < output_columns.size(); ++i) {
     const std::string name = std::string(output_columns[i].name) + "_standard_error";
     if (!table.has(name)) return;
-    errors[i] = cell(table, name, row, base::at_least(0.0)) / (output_columns[i].is_count ? read.cut_length : 1.0);
+    errors[i] = cell(table, name, row, not_negative()) / (output_columns[i].is_count ? read.cut_length : 1.0);
   }
   if (read.cuts > 1) read.standard_errors = errors;
 }
@@ -78,12 +90,12 @@ TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seed
   read.line = table.lines[row];
   read.case_number = static_cast<int>(whole_cell(table, "case", row, std::numeric_limits<int>::max()));
   if (has_seeds) read.seed = static_cast<long long>(whole_cell(table, "seed", row, largest_exact));
-  read.inputs = {cell(table, "cutter_speed_m_per_s", row, base::positive()),
-                 cell(table, "depth_of_cut_mm", row, base::positive()), cell(table, "back_rake_deg", row, rake_range)};
-  read.cut_length = cell(table, "cut_length_m", row, base::positive());
+  read.inputs = {cell(table, "cutter_speed_m_per_s", row, positive()), cell(table, "depth_of_cut_mm", row, positive()),
+                 cell(table, "back_rake_deg", row, rake_range)};
+  read.cut_length = cell(table, "cut_length_m", row, positive());
   for (std::size_t i = 0; i < output_columns.size(); ++i) {
     const OutputColumn& column = output_columns[i];
-    const double value = cell(table, column.name, row, base::at_least(0.0));
+    const double value = cell(table, column.name, row, not_negative());
     read.outputs[i] = column.is_count ? value / read.cut_length : value;
     if (!std::isfinite(read.outputs[i])) {
       throw base::InputError(fmt::format("{}:{}: {} = {} over cut_length_m = {} is not finite", table.source, read.line,

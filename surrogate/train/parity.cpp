@@ -1,9 +1,12 @@
 #include "surrogate/train/parity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
 
+#include "base/errors.hpp"
 #include "surrogate/train/scatter.hpp"
 #include "surrogate/train/split.hpp"
 
@@ -197,6 +200,11 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
       if (!prediction.inside_training_range) ++result.outside_training_range;
     }
     const auto predictions = listed(prediction);
+    for (std::size_t i = 0; i < output_count; ++i) {
+      if (std::isfinite(predictions[i])) continue;
+      throw base::InputError(
+          fmt::format("the model has no finite answer for {} of case {}", output_names[i].name, mean.case_number));
+    }
     for (std::size_t i = 0; i < output_count; ++i) {
       result.outputs[i].points.push_back(parity_point(mean, role, law, predictions[i], i));
     }

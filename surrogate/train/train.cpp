@@ -231,6 +231,10 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
   const std::uint64_t split_seed = options.split_seed.value_or(options.seed);
   const std::vector<int> validation = validation_cases(split, options, split_seed);
   const Sides sides = rows_of_sides(options.averaged ? means : data, split, validation);
+  if (sides.train.size() < 2) {
+    throw base::InputError(
+        fmt::format("{}: only one row is left to learn from (more cases, or a larger split)", data.file));
+  }
   Model model = start_model(options, sides.train);
   train_outputs(options, law, sides, progress, model);
   model.provenance = {.data_file = data.file,

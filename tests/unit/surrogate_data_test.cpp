@@ -79,15 +79,17 @@ TEST(SurrogateData, ARowCutShortIsRefused) {
 TEST(SurrogateData, ValuesOutOfRangeCarryTheirLine) {
   const auto with_row = [](const std::string& row) { return message(features_header + row_1_1 + row); };
   EXPECT_EQ(with_row("2,1,1.5,2,15,0,0.1,1000,400,3,7,10,500,200,2,5,9\n"),
-            "features.csv:3: cut_length_m = 0 (must be above 0)");
+            "features.csv:3: cut_length_m = 0 (must be above 0 and at most 1000000000000)");
+  EXPECT_EQ(with_row("2,1,1.5,2,15,0.1,0.1,1e308,400,3,7,10,500,200,2,5,9\n"),
+            "features.csv:3: x_amax_N_per_m = 1e+308 (must be at least 0 and at most 1000000000000)");
   EXPECT_EQ(with_row("2,1,1.5,2,15,0.1,0.1,-5,400,3,7,10,500,200,2,5,9\n"),
-            "features.csv:3: x_amax_N_per_m = -5 (must be at least 0)");
+            "features.csv:3: x_amax_N_per_m = -5 (must be at least 0 and at most 1000000000000)");
   EXPECT_EQ(with_row("2,1,1.5,2,15,0.1,0.1,5,4,3,7,10,500,200,2,-1,9\n"),
-            "features.csv:3: y_np23 = -1 (must be at least 0)");
+            "features.csv:3: y_np23 = -1 (must be at least 0 and at most 1000000000000)");
   EXPECT_EQ(with_row("2,1,0,2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
-            "features.csv:3: cutter_speed_m_per_s = 0 (must be above 0)");
+            "features.csv:3: cutter_speed_m_per_s = 0 (must be above 0 and at most 1000000000000)");
   EXPECT_EQ(with_row("2,1,1,-2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
-            "features.csv:3: depth_of_cut_mm = -2 (must be above 0)");
+            "features.csv:3: depth_of_cut_mm = -2 (must be above 0 and at most 1000000000000)");
   EXPECT_EQ(with_row("2,1,1,2,90,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
             "features.csv:3: back_rake_deg = 90 (must be above -90 and below 90)");
   EXPECT_EQ(with_row("2.5,1,1,2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
@@ -96,8 +98,8 @@ TEST(SurrogateData, ValuesOutOfRangeCarryTheirLine) {
             "features.csv:3: case = -2 (must be at least 0 and at most 2147483647)");
   EXPECT_EQ(with_row("2,0.5,1,2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
             "features.csv:3: seed = 0.5 (must be a whole number)");
-  EXPECT_EQ(with_row("2,1,1,2,15,1e-300,0.1,5,4,3,7,1e300,500,200,2,1,9\n"),
-            "features.csv:3: x_np4 = 1e+300 over cut_length_m = 1e-300 is not finite");
+  EXPECT_EQ(with_row("2,1,1,2,15,1e-300,0.1,5,4,3,7,1e10,500,200,2,1,9\n"),
+            "features.csv:3: x_np4 = 10000000000 over cut_length_m = 1e-300 is not finite");
 }
 
 TEST(SurrogateData, RowsMustAgreeWithEachOther) {
