@@ -193,10 +193,10 @@ void run(const Options& options) {
   for (const std::string& warning : runtime::warnings(drill, string)) warn(options.common, warning);
   const std::optional<surrogate::Model> model = model_of(options, drill);
   const runtime::DrillSource source = runtime::make_source(drill, model);
-  runtime::require_stable(drill, string);
   const std::vector<std::filesystem::path> inputs{options.case_file, drill.bit_file, drill.source.model_file};
   if (options.common.check) {
     require_outputs(options.common, inputs, {});
+    runtime::require_stable(drill, string);
     return print_plan(options, drill, string);
   }
   require_outputs(options.common, inputs, {options.output});

@@ -77,9 +77,7 @@ std::string search_kinds(Options& options, const surrogate::TrainingData& data, 
                              {"outputs", errors}});
   }
   const surrogate::Candidate& chosen = search.results[search.chosen].candidate;
-  options.train.layers = chosen.layers;
-  options.train.output = chosen.output;
-  options.train.log_targets = chosen.log_targets;
+  take_kind(chosen, options.train);
   json["chosen"] = chosen.name;
   json["folds"] = search.folds;
   say(options.common, "{}\n", search.choice);

@@ -102,6 +102,11 @@ inline constexpr std::array<VariableName, output_count> output_names{{
     {"y_np4_per_m", "1/m", 1.0},
 }};
 
+/// Of peaks per metre; false: an amplitude.
+inline bool is_count(std::size_t output) {
+  return output_names[output].unit == "1/m";
+}
+
 struct Model {
   std::array<Variable, input_count> inputs;       ///< in the order of `input_names`
   std::array<OutputModel, output_count> outputs;  ///< in the order of `output_names`

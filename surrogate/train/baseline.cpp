@@ -9,9 +9,8 @@ namespace {
 
 /// The three functions of the conditions that are added up.
 Eigen::Vector3d terms(std::size_t output, const TrainingRow& row) {
-  const bool is_count = output_names[output].unit == "1/m";
   const double depth = row.inputs[1], rake = row.inputs[2] * radians_per_degree;
-  return (is_count ? 1.0 / depth : depth) * Eigen::Vector3d(1.0, rake, rake * rake);
+  return (is_count(output) ? 1.0 / depth : depth) * Eigen::Vector3d(1.0, rake, rake * rake);
 }
 
 }  // namespace

@@ -19,20 +19,9 @@ namespace surrogate {
 namespace {
 
 /// Columns of the file, in the order of `output_names`: there, counts are per metre; here they are plain counts.
-struct OutputColumn {
-  const char* name;
-  bool is_count;
-};
-constexpr std::array<OutputColumn, output_count> output_columns{{{"x_amax_N_per_m", false},
-                                                                 {"x_amean_N_per_m", false},
-                                                                 {"x_np1", true},
-                                                                 {"x_np23", true},
-                                                                 {"x_np4", true},
-                                                                 {"y_amax_N_per_m", false},
-                                                                 {"y_amean_N_per_m", false},
-                                                                 {"y_np1", true},
-                                                                 {"y_np23", true},
-                                                                 {"y_np4", true}}};
+constexpr std::array<const char*, output_count> output_columns{
+    "x_amax_N_per_m", "x_amean_N_per_m", "x_np1", "x_np23", "x_np4",
+    "y_amax_N_per_m", "y_amean_N_per_m", "y_np1", "y_np23", "y_np4"};
 
 constexpr base::Range rake_range{.low = -90.0, .high = 90.0, .low_open = true, .high_open = true};
 
@@ -77,9 +66,9 @@ void read_errors(const base::CsvTable& table, std::size_t row, TrainingRow& read
   }
   Outputs errors{};
   for (std::size_t i = 0; i < output_columns.size(); ++i) {
-    const std::string name = std::string(output_columns[i].name) + "_standard_error";
+    const std::string name = std::string(output_columns[i]) + "_standard_error";
     if (!table.has(name)) return;
-    errors[i] = cell(table, name, row, not_negative()) / (output_columns[i].is_count ? read.cut_length : 1.0);
+    errors[i] = cell(table, name, row, not_negative()) / (is_count(i) ? read.cut_length : 1.0);
   }
   if (read.cuts > 1) read.standard_errors = errors;
 }
@@ -94,12 +83,11 @@ TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seed
                  cell(table, "back_rake_deg", row, rake_range)};
   read.cut_length = cell(table, "cut_length_m", row, positive());
   for (std::size_t i = 0; i < output_columns.size(); ++i) {
-    const OutputColumn& column = output_columns[i];
-    const double value = cell(table, column.name, row, not_negative());
-    read.outputs[i] = column.is_count ? value / read.cut_length : value;
+    const double value = cell(table, output_columns[i], row, not_negative());
+    read.outputs[i] = is_count(i) ? value / read.cut_length : value;
     if (!std::isfinite(read.outputs[i])) {
       throw base::InputError(fmt::format("{}:{}: {} = {} over cut_length_m = {} is not finite", table.source, read.line,
-                                         column.name, value, read.cut_length));
+                                         output_columns[i], value, read.cut_length));
     }
   }
   if (!has_seeds) read_errors(table, row, read);

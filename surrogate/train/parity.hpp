@@ -85,6 +85,7 @@ enum class CaseNumbers {
   of_another_study  ///< they have nothing to do with each other: all cases are unseen
 };
 
+/// Throws `base::InputError` when the model has no finite answer for a case.
 Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers = CaseNumbers::as_in_training);
 
 }  // namespace surrogate

@@ -6,10 +6,6 @@ namespace surrogate {
 
 namespace {
 
-bool is_count(std::size_t output) {
-  return output_names[output].unit == "1/m";
-}
-
 /// var(y) / phi.
 double shape(std::size_t output, double value, double cut_length) {
   return is_count(output) ? value / cut_length : value * value;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "base/errors.hpp"
 #include "base/random.hpp"
@@ -35,26 +34,17 @@ std::vector<Split> fold_splits(std::vector<int> cases, int folds, const TrainOpt
   return splits;
 }
 
-std::vector<TrainingRow> rows_of(const TrainingData& means, const std::vector<int>& cases) {
-  std::vector<TrainingRow> rows;
-  std::copy_if(means.rows.begin(), means.rows.end(), std::back_inserter(rows),
-               [&](const TrainingRow& row) { return contains(cases, row.case_number); });
-  return rows;
-}
-
 /// Deviations from the means of the left-out cases.
 std::vector<Outputs> deviations(const TrainingData& data, const TrainingData& means, const Split& split,
                                 const Candidate& candidate, TrainOptions options,
                                 const base::ProgressCallback& progress) {
-  const std::vector<TrainingRow> left_out = rows_of(means, split.test_cases);
+  const std::vector<TrainingRow> left_out = rows_of(means.rows, split.test_cases);
   std::vector<Outputs> predicted;
   if (candidate.layers.empty()) {
-    const Baseline baseline = fit_baseline(rows_of(means, split.train_cases));
+    const Baseline baseline = fit_baseline(rows_of(means.rows, split.train_cases));
     for (const TrainingRow& row : left_out) predicted.push_back(predict(baseline, row));
   } else {
-    options.layers = candidate.layers;
-    options.output = candidate.output;
-    options.log_targets = candidate.log_targets;
+    take_kind(candidate, options);
     const Model model = train_on(data, split, options, progress);
     for (const TrainingRow& row : left_out) predicted.push_back(listed(predict(model, conditions_of(row))));
   }
@@ -136,6 +126,12 @@ void choose(Search& search) {
 
 }  // namespace
 
+void take_kind(const Candidate& candidate, TrainOptions& options) {
+  options.layers = candidate.layers;
+  options.output = candidate.output;
+  options.log_targets = candidate.log_targets;
+}
+
 std::vector<Candidate> usual_candidates() {
   const std::vector<int> article{3, 4, 6, 3, 1}, wide{3, 8, 12, 6, 1}, wider{3, 16, 16, 1};
   return {{.name = "3-4-6-3-1", .layers = article},
@@ -163,7 +159,7 @@ Search search(const TrainingData& data, const TrainOptions& options, const std::
         fmt::format("folds = {} (must be from 2 to the number of training cases, {})", folds, cases));
   }
   if (options.init_from != nullptr) throw base::InputError("a search cannot begin from trained networks");
-  const TrainingData known{.file = data.file, .rows = rows_of(means, outer.train_cases)};
+  const TrainingData known{.file = data.file, .rows = rows_of(means.rows, outer.train_cases)};
   if (scatter_law(known.rows).degrees_of_freedom == 0) {
     throw base::InputError(fmt::format(
         "{}: no case was cut more than once, so nothing is known of the scatter that errors are measured in",

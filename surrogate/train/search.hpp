@@ -30,6 +30,9 @@ struct Candidate {
   bool log_targets = false;
 };
 
+/// Networks of this kind are trained with the options.
+void take_kind(const Candidate& candidate, TrainOptions& options);
+
 /// The article's network first, then wider ones, other outputs, logarithms, both, and the formula.
 std::vector<Candidate> usual_candidates();
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/errors.hpp"
 #include "base/random.hpp"
@@ -30,6 +31,13 @@ Split split_cases(std::span<const int> cases, double train_fraction, bool shuffl
   std::sort(split.train_cases.begin(), split.train_cases.end());
   std::sort(split.test_cases.begin(), split.test_cases.end());
   return split;
+}
+
+std::vector<TrainingRow> rows_of(std::span<const TrainingRow> rows, std::span<const int> ascending_cases) {
+  std::vector<TrainingRow> found;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
+               [&](const TrainingRow& row) { return contains(ascending_cases, row.case_number); });
+  return found;
 }
 
 bool contains(std::span<const int> ascending_cases, int case_number) {

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "surrogate/train/data.hpp"
+
 namespace surrogate {
 
 struct Split {
@@ -19,6 +21,9 @@ struct Split {
 /// test set. The same cases and seed give the same split. Throws `base::InputError` for fewer than two cases or a
 /// fraction outside (0, 1).
 Split split_cases(std::span<const int> cases, double train_fraction, bool shuffle, std::uint64_t seed);
+
+/// The rows of these cases, in their order.
+std::vector<TrainingRow> rows_of(std::span<const TrainingRow> rows, std::span<const int> ascending_cases);
 
 /// Whether an ascending list contains the case.
 bool contains(std::span<const int> ascending_cases, int case_number);

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
-#include <iterator>
 #include <mutex>
 #include <numeric>
 #include <span>
@@ -180,36 +179,16 @@ void train_outputs(const TrainOptions& options, const ScatterLaw& law, const Sid
   }
 }
 
-/// Which of the training cases only say when to stop.
-std::vector<int> validation_cases(const Split& split, const TrainOptions& options, std::uint64_t split_seed) {
-  if (options.validation == 0.0) return {};
+/// The training cases again, into those to learn from and those that only say when to stop (`test_cases`).
+Split validation_split(const Split& split, const TrainOptions& options, std::uint64_t split_seed) {
+  if (options.validation == 0.0) return {split.train_cases, {}};
   constexpr std::uint64_t apart_from_the_test = 0x76616c6964617465;  // "validate": another draw than that of the test
-  return split_cases(split.train_cases, 1.0 - options.validation, options.shuffle, split_seed ^ apart_from_the_test)
-      .test_cases;
-}
-
-Sides rows_of_sides(const TrainingData& data, const Split& split, std::span<const int> validation) {
-  Sides sides;
-  for (const TrainingRow& row : data.rows) {
-    if (contains(split.test_cases, row.case_number)) sides.test.push_back(row);
-    if (!contains(split.train_cases, row.case_number)) continue;
-    (contains(validation, row.case_number) ? sides.validation : sides.train).push_back(row);
-  }
-  return sides;
-}
-
-/// The law of the training cases; the test cases lend nothing.
-ScatterLaw training_law(const TrainingData& means, const Split& split) {
-  std::vector<TrainingRow> rows;
-  std::copy_if(means.rows.begin(), means.rows.end(), std::back_inserter(rows),
-               [&](const TrainingRow& row) { return contains(split.train_cases, row.case_number); });
-  return scatter_law(rows);
+  return split_cases(split.train_cases, 1.0 - options.validation, options.shuffle, split_seed ^ apart_from_the_test);
 }
 
 }  // namespace
 
 Model train(const TrainingData& data, const TrainOptions& options, const base::ProgressCallback& progress) {
-  check(options);
   const std::uint64_t split_seed = options.split_seed.value_or(options.seed);
   const Split split = split_cases(case_numbers(data), options.split, options.shuffle, split_seed);
   Model model = train_on(data, split, options, progress);
@@ -222,15 +201,16 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
                const base::ProgressCallback& progress) {
   check(options);
   const TrainingData means = averaged(data);
-  const ScatterLaw law = training_law(means, split);
+  const ScatterLaw law = scatter_law(rows_of(means.rows, split.train_cases));  // the test cases lend nothing
   if (options.weighted && law.degrees_of_freedom == 0) {
     throw base::InputError(fmt::format(
         "{}: no weights: no case was cut more than once, so nothing is known of the scatter (train without weights)",
         data.file));
   }
   const std::uint64_t split_seed = options.split_seed.value_or(options.seed);
-  const std::vector<int> validation = validation_cases(split, options, split_seed);
-  const Sides sides = rows_of_sides(options.averaged ? means : data, split, validation);
+  const Split inner = validation_split(split, options, split_seed);
+  const std::vector<TrainingRow>& rows = options.averaged ? means.rows : data.rows;
+  const Sides sides{rows_of(rows, inner.train_cases), rows_of(rows, inner.test_cases), rows_of(rows, split.test_cases)};
   if (sides.train.size() < 2) {
     throw base::InputError(
         fmt::format("{}: only one row is left to learn from (more cases, or a larger split)", data.file));
@@ -252,11 +232,10 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
                       .starts = options.starts,
                       .averaged = options.averaged,
                       .weighted = options.weighted,
-                      .train_cases = split.train_cases,
-                      .validation_cases = validation,
+                      .train_cases = inner.train_cases,
+                      .validation_cases = inner.test_cases,
                       .test_cases = split.test_cases,
                       .bitrock_version = base::version};
-  std::erase_if(model.provenance.train_cases, [&](int number) { return contains(validation, number); });
   return model;
 }
 
