@@ -132,6 +132,8 @@ waits_for_its_time() { task | grep -q Reason=BeginTime; }
 wait_until 60 "the first task starts" has_started
 if scontrol requeue "${array}_1"; then
   wait_until 60 "the requeued task has ended its first life" waits_for_its_time
+  # slurmd refuses a job whose new credential was made in the very second in which the old one was revoked.
+  sleep 2
   scontrol update "JobId=${array}_1" StartTime=now  # Slurm would let it wait two minutes
 fi
 
