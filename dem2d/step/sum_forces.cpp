@@ -17,38 +17,55 @@ namespace dem2d::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The sum of some pair forces, in as few registers as hold four numbers.
-struct Sum {
-  using D = hn::CappedTag<double, 4>;
-  static constexpr std::size_t lanes = hn::MaxLanes(D()), parts = 4 / lanes;
-  hn::Vec<D> part[parts];
+constexpr std::size_t each = JointsOfDiscs::places_each;
 
-  Sum() {
-    for (auto& p : part) p = hn::Zero(D());
+#if HWY_TARGET <= HWY_AVX2
+
+/// A pair force in one register.
+using FourNumbers = hn::CappedTag<double, 4>;
+
+HWY_INLINE hn::Vec<FourNumbers> sum(const PairForce* forces, const int* joint) {
+  const FourNumbers d;
+  auto total = hn::Load(d, &forces[joint[0]].x);
+  for (std::size_t k = 1; k < each; ++k) total = total + hn::Load(d, &forces[joint[k]].x);
+  return total;
+}
+
+HWY_INLINE void sum_joints_of_disc(Discs& discs, std::size_t i, const PairForce* forces, const int* joint) {
+  const FourNumbers d;
+  const hn::Half<FourNumbers> half;
+  const auto as_disc1 = sum(forces, joint), as_disc2 = sum(forces, joint + each);
+  // Whole registers as long as possible: shuffles and additions of single numbers are what this pass waits for.
+  const auto force = hn::LowerHalf(half, as_disc1 - as_disc2);
+  discs.force_x[i] = hn::GetLane(force);
+  discs.force_y[i] = hn::ExtractLane(force, 1);
+  discs.moment[i] = hn::GetLane(hn::UpperHalf(half, as_disc1 + hn::Reverse2(d, as_disc2)));  // moment1 + moment2
+}
+
+#else
+
+HWY_INLINE PairForce sum(const PairForce* forces, const int* joint) {
+  PairForce total = forces[joint[0]];
+  for (std::size_t k = 1; k < each; ++k) {
+    const PairForce& next = forces[joint[k]];
+    total = {total.x + next.x, total.y + next.y, total.moment1 + next.moment1, total.moment2 + next.moment2};
   }
-  void add(const PairForce& force) {
-    for (std::size_t p = 0; p < parts; ++p) part[p] = part[p] + hn::Load(D(), &force.x + p * lanes);
-  }
-  PairForce total() const {
-    PairForce total;
-    for (std::size_t p = 0; p < parts; ++p) hn::Store(part[p], D(), &total.x + p * lanes);
-    return total;
-  }
-};
+  return total;
+}
+
+HWY_INLINE void sum_joints_of_disc(Discs& discs, std::size_t i, const PairForce* forces, const int* joint) {
+  const PairForce as_disc1 = sum(forces, joint), as_disc2 = sum(forces, joint + each);
+  discs.force_x[i] = as_disc1.x - as_disc2.x;
+  discs.force_y[i] = as_disc1.y - as_disc2.y;
+  discs.moment[i] = as_disc1.moment1 + as_disc2.moment2;
+}
+
+#endif
 
 void SumJoints(World& world, const Range& range) {
-  Discs& discs = world.discs;
-  const PairForce* const forces = world.joint_forces.data();
-  constexpr std::size_t each = JointsOfDiscs::places_each;
+  const int* const joint = world.joints_of_discs.joint.data();
   for (std::size_t i = range.begin; i < range.end; ++i) {
-    const int* const joint = &world.joints_of_discs.joint[JointsOfDiscs::places * i];
-    Sum as_disc1, as_disc2;
-    for (std::size_t k = 0; k < each; ++k) as_disc1.add(forces[joint[k]]);
-    for (std::size_t k = each; k < 2 * each; ++k) as_disc2.add(forces[joint[k]]);
-    const PairForce one = as_disc1.total(), two = as_disc2.total();
-    discs.force_x[i] = one.x - two.x;
-    discs.force_y[i] = one.y - two.y;
-    discs.moment[i] = one.moment1 + two.moment2;
+    sum_joints_of_disc(world.discs, i, world.joint_forces.data(), joint + JointsOfDiscs::places * i);
   }
 }
 

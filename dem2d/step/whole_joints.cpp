@@ -17,16 +17,19 @@ namespace dem2d::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Values at some indices. Of 512 bits by the machine's own instruction: Highway's leaves the old content of the result
-/// register in play, so that every gather waits for what was computed there before.
+/// Values at some indices. The machine's gather keeps lanes that its mask leaves out, so it waits for what was in its
+/// result register before: for the joints before these, unless zeros stand there. Compilers drop the zeros when they
+/// see that the mask leaves nothing out, so `asm` hides that from them.
 template <class D, class I>
 HWY_INLINE hn::Vec<D> gather(D d, const std::vector<double>& values, I index) {
 #if HWY_TARGET <= HWY_AVX3
   if constexpr (hn::MaxLanes(D()) == 8) {
-    return {_mm512_mask_i64gather_pd(_mm512_setzero_pd(), 0xFF, index.raw, values.data(), 8)};
+    __mmask8 all = 0xFF;
+    asm("" : "+Yk"(all));
+    return {_mm512_mask_i32gather_pd(_mm512_setzero_pd(), all, index.raw, values.data(), 8)};
   }
 #endif
-  return hn::GatherIndex(d, values.data(), index);
+  return hn::GatherIndex(d, values.data(), hn::PromoteTo(hn::RebindToSigned<D>(), index));
 }
 
 /// As many joints as D has lanes, from `first` on. `outermost_centre` is that of the outermost element over R. Returns
@@ -38,15 +41,15 @@ HWY_INLINE std::uint64_t a_vector_of_joints(World& world, std::size_t first, dou
   const hn::RebindToSigned<D> indices;
   const hn::Rebind<int, D> numbers;
   const auto load = [&](const std::vector<double>& values) HWY_ATTR { return hn::LoadU(d, &values[first]); };
-  const auto disc1 = hn::PromoteTo(indices, hn::LoadU(numbers, &joints.disc1[first]));
-  const auto disc2 = hn::PromoteTo(indices, hn::LoadU(numbers, &joints.disc2[first]));
+  const auto disc1 = hn::LoadU(numbers, &joints.disc1[first]), disc2 = hn::LoadU(numbers, &joints.disc2[first]);
   // Joints are sorted by disc 1, so a few neighbouring discs serve all lanes: one load and a shuffle beat a gather.
   const auto base = static_cast<std::size_t>(joints.disc1[first]);
-  const auto offset = disc1 - hn::Set(indices, joints.disc1[first]);
-  const auto last_lane = hn::Set(indices, static_cast<std::int64_t>(hn::Lanes(d)) - 1);
-  const bool near = base + hn::Lanes(d) <= discs.x.size() &&
-                    hn::AllFalse(indices, hn::Or(hn::Lt(offset, hn::Zero(indices)), hn::Gt(offset, last_lane)));
-  const auto lane_of_disc1 = hn::IndicesFromVec(d, near ? offset : hn::Zero(indices));
+  const auto offset = disc1 - hn::Set(numbers, joints.disc1[first]);
+  const hn::RebindToUnsigned<decltype(numbers)> naturals;  // a negative offset is a large one there
+  const auto lanes = hn::Set(naturals, static_cast<std::uint32_t>(hn::Lanes(d)));
+  const bool near =
+      base + hn::Lanes(d) <= discs.x.size() && hn::AllTrue(naturals, hn::Lt(hn::BitCast(naturals, offset), lanes));
+  const auto lane_of_disc1 = hn::IndicesFromVec(d, near ? hn::PromoteTo(indices, offset) : hn::Zero(indices));
   const auto of_disc1 = [&](const std::vector<double>& v) HWY_ATTR {
     return near ? hn::TableLookupLanes(hn::LoadU(d, &v[base]), lane_of_disc1) : gather(d, v, disc1);
   };
