@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/errors.hpp"
@@ -31,6 +32,7 @@ constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 
 std::vector<base::Section> describe(CutCase& cut) {
   using base::any, base::at_least, base::between, base::positive;
+  const base::Range step_factor{.low = 0.0, .high = longest_step_factor, .low_open = true};
   const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
   return {
       {"", {{"rock", &cut.rock_file, 1.0, any(), "rock file, relative to this file", true}}},
@@ -57,6 +59,7 @@ std::vector<base::Section> describe(CutCase& cut) {
       {"run",
        {{"local_damping", &cut.local_damping, 1.0, damping, "share of the unbalanced force"},
         {"sampling_distance_um", &cut.sampling_distance, um, positive(), "travel between two force samples"},
+        {"step_factor", &cut.step_factor, 1.0, step_factor, "share of the longest stable step"},
         {"domain_margin_mm", &cut.domain_margin, mm, positive(), "discs farther from the bed are removed"}}},
   };
 }
@@ -99,6 +102,13 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
         fmt::format("run.sampling_distance_um = {:.4g} (at most {:.4g}, the largest grain, where only a part of the "
                     "bed moves: that part moves on between samples)",
                     cut.sampling_distance / um, column / um));
+  }
+  const double softest = std::min(cut.rock.joint_stiffness_ratio, cut.rock.contact_stiffness_ratio);
+  if (cut.step_factor > usual_step_factor && softest < 1.0) {
+    refuse(
+        fmt::format("run.step_factor = {:.4g} (at most {:g} with a stiffness_ratio below 1, here {:.4g}: the bound "
+                    "of the stable step needs normals at least as stiff as shear)",
+                    cut.step_factor, usual_step_factor, softest));
   }
   check_specimen_size(cut.rock, cut.bed_length, cut.bed_height, source + ": [bed]");
   const double travel = cut.run_in + cut.cut_length;

@@ -7,6 +7,7 @@
 
 #include "base/config.hpp"
 #include "dem2d/specimen/rock.hpp"
+#include "dem2d/step/step.hpp"
 
 namespace dem2d {
 
@@ -28,9 +29,10 @@ struct CutCase {
   double bed_height = 20e-3;                       ///< [m]
   double moving_ahead = 0.0, moving_behind = 0.0;  ///< rock ahead of the tip and behind it that moves; 0: all of it [m]
 
-  double local_damping = 0.1;        ///< alpha while cutting [1]
-  double sampling_distance = 20e-6;  ///< travel between two samples of the force history [m]
-  double domain_margin = 20e-3;      ///< discs farther than this from the bed are removed [m]
+  double local_damping = 0.1;              ///< alpha while cutting [1]
+  double sampling_distance = 20e-6;        ///< travel between two samples of the force history [m]
+  double step_factor = usual_step_factor;  ///< of the longest step that is stable by its bound (step/step.hpp) [1]
+  double domain_margin = 20e-3;            ///< discs farther than this from the bed are removed [m]
 };
 
 /// The sections of the file without the rock, bound to `cut`.

@@ -76,7 +76,7 @@ World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& 
   world.boundaries = {cutter};
   hold_sides(world, bed, tip_y);
   prepare(world);
-  world.step = critical_step(world);
+  world.step = critical_step(world, cut.step_factor);
   return world;
 }
 

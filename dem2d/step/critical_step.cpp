@@ -8,9 +8,6 @@ namespace dem2d {
 
 namespace {
 
-// Share of sqrt(m/k) that is used; see step.hpp for the margin it leaves.
-constexpr double safety = 0.8;
-
 struct Stiffness {
   std::vector<double> x, y, rotation;
 
@@ -34,7 +31,7 @@ Direction between(const Discs& discs, std::size_t i, std::size_t j) {
 
 }  // namespace
 
-double critical_step(const World& world) {
+double critical_step(const World& world, double factor) {
   const Discs& discs = world.discs;
   const std::size_t count = discs.x.size();
   Stiffness stiffness{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
@@ -77,7 +74,7 @@ double critical_step(const World& world) {
     if (stiffness.rotation[i] > 0.0)
       smallest_squared = std::fmin(smallest_squared, discs.inertia[i] / stiffness.rotation[i]);
   }
-  return safety * std::sqrt(smallest_squared);
+  return factor * std::sqrt(smallest_squared);
 }
 
 double equilibrium_ratio(const World& world) {

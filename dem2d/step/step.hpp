@@ -34,18 +34,24 @@ void integrate(World& world, const Share& share = {});  ///< integrate.cpp
 /// What a disc and step take on one core, for estimates only [ns]: during cuts on a 2.6 GHz Xeon (docs/performance.md).
 inline constexpr double typical_ns_per_disc_step = 26.0;
 
-/// Largest stable step [s] times 0.8, over all discs and their present contacts:
+/// Share of the longest stable step that is taken [ItascaPFC], and the longest allowed; see `critical_step` [1].
+inline constexpr double usual_step_factor = 0.8, longest_step_factor = 1.0;
+
+/// Largest stable step [s] times `factor`, over all discs and their present contacts:
 ///
-///     dt = 0.8 min over discs of ( sqrt(m / k_x), sqrt(m / k_y), sqrt(I / k_rot) )
+///     dt = factor min over discs of ( sqrt(m / k_x), sqrt(m / k_y), sqrt(I / k_rot) )
 ///     k_x = sum (Kn n_x^2 + Ks n_y^2)     k_rot = sum (Ks rho^2 + Kr)
 ///
 /// joint: Kn = kn 2R, Ks = ks 2R, Kr = kn (2/3) R^3, rho = distance from the centre to the interface; contact: Kr = 0.
 /// Source: [ItascaPFC, time-step determination] for the form. Margin: the central-difference scheme is stable for
 /// omega dt < 2. For kappa >= 1 omega^2 is at most 4 times the larger of k/m and k_rot/I (proof in docs/flat_joint.md,
-/// "critical step"), so omega^2 dt^2 <= 4 * 0.64 = 2.56 < 4: a factor of 1.6 on stiffness for dashpots, which lower the
-/// limit, and for contacts that come later. With softer normals the margin shrinks; it is gone below kappa = 0.28.
-/// The step is not checked again during a run.
-double critical_step(const World& world);
+/// "Stable step"), so omega dt <= 2 factor; in a packing of the article's rock it is 1.0 factor. The rest is for
+/// contacts that come later, and for dashpots, which lower the limit to 2 (sqrt(1 + zeta^2) - zeta), zeta being the
+/// mode's share of critical damping: debris of the article's rock, pressed together without a joint and with half the
+/// critical damping in each contact, explodes at a factor of 1.12, and does not at 1.04 (tests/verification,
+/// `StabilityOfDebris`). Hence the longest factor of 1. With softer normals the margin shrinks; at 0.8 it is gone below
+/// kappa = 0.28, at 1 below 1. The step is not checked again during a run.
+double critical_step(const World& world, double factor = usual_step_factor);
 
 /// Mean unbalanced force over mean sum of contact forces, over all discs [1]; 0 when nothing touches.
 double equilibrium_ratio(const World& world);

@@ -35,7 +35,8 @@ TEST(CutCase, ACutLongerThanItsBedIsRefused) {
   dem2d::CutCase cut = small_cut();
   cut.cut_length = 14.1e-3;
   EXPECT_EQ(message([&] { dem2d::check_cut_case(cut, "a.toml"); }),
-            "a.toml: cut.cut_length_mm = 14.1 (with 2 mm of depth at most 14: bed.length_mm = 20 less three depths and cut.run_in_mm)");
+            "a.toml: cut.cut_length_mm = 14.1 (with 2 mm of depth at most 14: bed.length_mm = 20 less three depths and "
+            "cut.run_in_mm)");
 }
 
 TEST(CutCase, ADepthBelowOneGrainIsWarnedOf) {
@@ -83,6 +84,18 @@ TEST(CutCase, TheMovingRockReachesFarEnoughAndMovesOnOftenEnough) {
   wrong = cut;
   wrong.sampling_distance = 1.01 * column;
   EXPECT_TRUE(refused(wrong, "run.sampling_distance_um"));
+}
+
+TEST(CutCase, TheStepFactorIsThatOfTheStep) {
+  dem2d::CutCase cut = small_cut();
+  const dem2d::Specimen bed = dem2d::make_specimen(cut.rock, cut.bed_length, cut.bed_height, 2, 1);
+  const double usual = dem2d::make_cut_world(cut, bed).step;
+  EXPECT_EQ(cut.step_factor, 0.8) << "as [ItascaPFC]";
+  cut.step_factor = 0.96;
+  EXPECT_NEAR(dem2d::make_cut_world(cut, bed).step, 1.2 * usual, 1e-15 * usual);
+  EXPECT_NO_THROW(dem2d::check_cut_case(cut, "case"));
+  cut.rock.joint_stiffness_ratio = 0.9;
+  EXPECT_THROW(dem2d::check_cut_case(cut, "case"), base::InputError) << "the bound needs kappa >= 1";
 }
 
 TEST(CutCase, TheCutterBeginsOutsideTheRockWhateverItsLeanAndDepth) {
