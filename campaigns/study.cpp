@@ -38,11 +38,14 @@ base::Section describe(ByDepth& by_depth) {
        {"run_in_depths", &by_depth.run_in_depths, 1.0, at_least(0.0), "travel before forces count"},
        {"moving_ahead_depths", &by_depth.moving_ahead_depths, 1.0, at_least(0.0), "rock that moves; 0: all of it"},
        {"moving_behind_depths", &by_depth.moving_behind_depths, 1.0, at_least(0.0), "rock that moves; 0: all of it"},
+       {"fine_bed_depths", &by_depth.fine_bed_depths, 1.0, at_least(0.0),
+        "from the surface; larger grains below; 0: none"},
        {"cut_length_least_mm", &by_depth.cut_length_least, mm, at_least(0.0), "however small the depth"},
        {"bed_height_least_mm", &by_depth.bed_height_least, mm, at_least(0.0), "however small the depth"},
        {"bed_beyond_least_mm", &by_depth.bed_beyond_least, mm, at_least(0.0), "however small the depth"},
        {"moving_ahead_least_mm", &by_depth.moving_ahead_least, mm, at_least(0.0), "however small the depth"},
-       {"moving_behind_least_mm", &by_depth.moving_behind_least, mm, at_least(0.0), "however small the depth"}}};
+       {"moving_behind_least_mm", &by_depth.moving_behind_least, mm, at_least(0.0), "however small the depth"},
+       {"fine_bed_least_mm", &by_depth.fine_bed_least, mm, at_least(0.0), "however small the depth"}}};
 }
 
 base::Section describe(Grid& grid) {
@@ -99,6 +102,7 @@ void read_by_depth(base::ConfigFile& file, Study& study) {
   };
   refuse_lone("moving_ahead_least_mm", study.by_depth->moving_ahead_least, study.by_depth->moving_ahead_depths);
   refuse_lone("moving_behind_least_mm", study.by_depth->moving_behind_least, study.by_depth->moving_behind_depths);
+  refuse_lone("fine_bed_least_mm", study.by_depth->fine_bed_least, study.by_depth->fine_bed_depths);
 }
 
 Table read_table(const std::filesystem::path& path) {
@@ -145,11 +149,13 @@ dem2d::CutCase sized(dem2d::CutCase cut, const ByDepth& by_depth) {
   cut.run_in = by_depth.run_in_depths * depth;
   cut.bed_length =
       cut.run_in + cut.cut_length + std::max(by_depth.bed_beyond_depths * depth, by_depth.bed_beyond_least);
-  const auto moving = [depth](double depths, double least) {
+  const auto if_wanted = [depth](double depths, double least) {
     return depths > 0.0 ? std::max(depths * depth, least) : 0.0;
   };
-  cut.moving_ahead = moving(by_depth.moving_ahead_depths, by_depth.moving_ahead_least);
-  cut.moving_behind = moving(by_depth.moving_behind_depths, by_depth.moving_behind_least);
+  cut.moving_ahead = if_wanted(by_depth.moving_ahead_depths, by_depth.moving_ahead_least);
+  cut.moving_behind = if_wanted(by_depth.moving_behind_depths, by_depth.moving_behind_least);
+  if (by_depth.fine_bed_depths > 0.0)
+    cut.rock.fine_depth = std::max(by_depth.fine_bed_depths * depth, by_depth.fine_bed_least);
   return cut;
 }
 

@@ -36,10 +36,12 @@ struct ByDepth {
   double bed_height_depths = 0.0;                                ///< [1]
   double bed_beyond_depths = 0.0;                                ///< rock past the end of the cut [1]
   double moving_ahead_depths = 0.0, moving_behind_depths = 0.0;  ///< of the tip; 0: all of the rock [1]
+  double fine_bed_depths = 0.0;                                  ///< as `Rock::fine_depth`; 0: as the rock says [1]
   double cut_length_least = 0.0;                                 ///< [m]
   double bed_height_least = 0.0;                                 ///< [m]
   double bed_beyond_least = 0.0;                                 ///< [m]
   double moving_ahead_least = 0.0, moving_behind_least = 0.0;    ///< where not all of it moves [m]
+  double fine_bed_least = 0.0;                                   ///< where the bed is graded [m]
 };
 
 struct Study {

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/units.hpp"
 #include "dem2d/specimen/genesis.hpp"
+#include "dem2d/specimen/grading.hpp"
 
 namespace dem2d {
 
@@ -87,7 +88,7 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
     refuse(fmt::format("run.sampling_distance_um = {:.4g} (at most a third of the cut: {:.4g})",
                        cut.sampling_distance / um, cut.cut_length / 3.0 / um));
   }
-  const double column = 2.0 * cut.rock.radius_max;
+  const double column = 2.0 * largest_radius(cut.rock, cut.bed_height);
   const auto check_moving = [&](const char* key, double length, double depths) {
     const double least = depths * cut.depth_of_cut + columns_moving * column;
     if (length == 0.0 || length * rounding >= least) return;

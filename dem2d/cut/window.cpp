@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "dem2d/specimen/grading.hpp"
 #include "dem2d/specimen/order.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/removal.hpp"
@@ -111,7 +112,8 @@ double whole_columns(const Window& window, double x) {
 
 double moving_length(const CutCase& cut) {
   if (cut.moving_ahead == 0.0 || cut.moving_behind == 0.0) return cut.bed_length;
-  const double column = 2.0 * cut.rock.radius_max;  // the window moves on in steps, so it is longer now and then
+  const double column = 2.0 * largest_radius(cut.rock, cut.bed_height);
+  // the window moves on in steps, so it is longer now and then
   return std::min(cut.bed_length, cut.moving_ahead + cut.moving_behind + (columns_at_a_time + 1.0) * column);
 }
 

@@ -207,6 +207,8 @@ LabBox specimen_box(LabTest test, const LabSettings& settings) {
 void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& settings, const std::string& source) {
   const LabBox box = specimen_box(test, settings);
   check_specimen_size(rock, box.width, box.height, source);
+  if (rock.fine_depth > 0.0)
+    throw base::InputError(source + ": grading.fine_depth_mm is not 0 (a core for tests is of one size of grains)");
   const auto require = [&source](bool good, const char* name, double seen, const char* allowed) {
     if (!good) throw base::InputError(fmt::format("{}: {} = {:g} (must be {})", source, name, seen, allowed));
   };

@@ -10,6 +10,7 @@
 #include "base/errors.hpp"
 #include "base/random.hpp"
 #include "base/stop.hpp"
+#include "dem2d/specimen/grading.hpp"
 #include "dem2d/specimen/packing_stress.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
@@ -35,13 +36,15 @@ constexpr double no_shear_springs = std::numeric_limits<double>::infinity();  //
 
 void fill_with_cloud(World& world, const Rock& rock, double width, double height, std::uint64_t seed) {
   base::Random random(seed);
-  const double wanted = (1.0 - rock.porosity) * width * height;
-  for (double area = 0.0; area < wanted;) {
-    const double radius = base::uniform(random, rock.radius_min, rock.radius_max);
-    const double x = base::uniform(random, radius, width - radius);
-    const double y = base::uniform(random, radius, height - radius);
-    add_disc(world.discs, x, y, radius, rock.density);
-    area += std::numbers::pi * radius * radius;
+  for (const Layer& layer : layers(rock, height)) {
+    const double wanted = (1.0 - rock.porosity) * width * (layer.high - layer.low);
+    for (double area = 0.0; area < wanted;) {
+      const double radius = layer.size * base::uniform(random, rock.radius_min, rock.radius_max);
+      const double x = base::uniform(random, radius, width - radius);
+      const double y = base::uniform(random, layer.low + radius, layer.high - radius);
+      add_disc(world.discs, x, y, radius, rock.density);
+      area += std::numbers::pi * radius * radius;
+    }
   }
 }
 
@@ -169,7 +172,9 @@ void bring_to_pressure(Packing& packing, const Rock& rock, double area, const ba
 double expected_discs(const Rock& rock, double width, double height) {
   const double a = rock.radius_min, b = rock.radius_max;
   const double mean_area = std::numbers::pi * (a * a + a * b + b * b) / 3.0;  // radii uniform in [a, b]
-  return (1.0 - rock.porosity) * width * height / mean_area;
+  double in_fine_rock = 0.0;  // height that would hold as many discs, were all of it fine [m]
+  for (const Layer& layer : layers(rock, height)) in_fine_rock += (layer.high - layer.low) / (layer.size * layer.size);
+  return (1.0 - rock.porosity) * width * in_fine_rock / mean_area;
 }
 
 void check_specimen_size(const Rock& rock, double width, double height, const std::string& source) {
@@ -177,6 +182,14 @@ void check_specimen_size(const Rock& rock, double width, double height, const st
     throw base::InputError(fmt::format(
         "{}: {:.4g} x {:.4g} mm is too small for discs of radius {:.4g} mm (at least 4 diameters are needed each way)",
         source, width * 1e3, height * 1e3, rock.radius_max * 1e3));
+  }
+  for (const Layer& layer : layers(rock, height)) {
+    const double largest = 2.0 * rock.radius_max * layer.size;
+    if (layer.high - layer.low >= largest && width >= 4.0 * largest) continue;
+    throw base::InputError(
+        fmt::format("{}: grading.fine_depth_mm = {:.4g} leaves a layer of {:.4g} x {:.4g} mm for discs of radius "
+                    "{:.4g} mm (at least one diameter high and four wide)",
+                    source, rock.fine_depth * 1e3, width * 1e3, (layer.high - layer.low) * 1e3, 0.5 * largest * 1e3));
   }
   const double discs = expected_discs(rock, width, height);
   if (!(discs <= most_discs)) {

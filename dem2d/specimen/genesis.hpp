@@ -2,7 +2,9 @@
 /// Makes one synthetic rock from a seed: a box full of discs, calm, touching, joined stress-free.
 ///
 /// 1. **Cloud**: radii drawn uniformly from [radius_min, radius_max] until the discs would fill 1 - porosity of the
-///    box, overlaps not counted; centres drawn uniformly in the box, overlapping as they fall.
+///    box, overlaps not counted; centres drawn uniformly in the box, overlapping as they fall. In a graded rock
+///    (grading.hpp) each layer is filled in this way, with radii of its own, as if it were a box; from then on the
+///    discs are one packing.
 /// 2. **Calm**: frictionless linear contacts push the discs apart; all velocities are zeroed every few steps until no
 ///    overlap is larger than a quarter of a diameter.
 /// 3. **Equilibrate** with strong local damping, roughly.

@@ -22,6 +22,10 @@ struct Rock {
   double density = 2500.0;      ///< of a grain [kg/m3]
   double porosity = 0.10;       ///< of the cloud before it is packed, overlaps not counted [1]
 
+  // grading (grading.hpp)
+  double fine_depth = 0.0;    ///< from the surface down discs are as above, larger below; 0: as above everywhere [m]
+  double coarse_ratio = 2.0;  ///< radii below over radii above [1]
+
   // flat joints
   double joint_modulus = 1.5e9;             ///< E* [Pa]
   double joint_stiffness_ratio = 2.5;       ///< kappa [1]

@@ -105,6 +105,17 @@ TEST_F(StudyFile, TheRunInLengthensTheBedAndIsNotPartOfTheCutLength) {
   EXPECT_DOUBLE_EQ(cut.bed_length, 52e-3);
 }
 
+TEST_F(StudyFile, TheFineLayerOfAGradedBedGoesByTheDepth) {
+  const std::string graded = by_depth + "fine_bed_depths = 2\nfine_bed_least_mm = 5\n";
+  const std::vector<campaigns::Job> jobs = campaigns::jobs(study(fx::head + fx::grid + graded));
+  EXPECT_DOUBLE_EQ(jobs[0].cut.rock.fine_depth, 5e-3);  // 2 mm deep: 4 mm, below the least
+  EXPECT_DOUBLE_EQ(jobs[1].cut.rock.fine_depth, 8e-3);  // 4 mm
+  EXPECT_NE(campaigns::job_hash(jobs[0]),
+            campaigns::job_hash(campaigns::jobs(study(fx::head + fx::grid + by_depth))[0]));
+  EXPECT_EQ(message(fx::head + fx::grid + by_depth + "fine_bed_least_mm = 5\n"),
+            "study.toml:10: by_depth.fine_bed_least_mm = 5 (it goes with the key in depths, which is not given)");
+}
+
 TEST_F(StudyFile, SizesAreGivenOnce) {
   EXPECT_EQ(message(fx::head + fx::grid + by_depth + "[cut]\ncut_length_mm = 20\n"),
             "study.toml:11: cut.cut_length_mm = 20 ([by_depth] sizes each case by its depth; give one of the two)");
