@@ -16,7 +16,7 @@ namespace dem2d {
 namespace {
 
 // The window moves on by so many columns at a time: lists are made anew then, so not too often.
-constexpr double columns_at_a_time = 4.0;
+constexpr double columns_at_a_time = 2.0;
 
 int place_in_bed(const Window& window, int id) {
   return window.place_in_bed[static_cast<std::size_t>(id)];
