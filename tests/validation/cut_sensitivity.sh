@@ -19,21 +19,8 @@ grains() { # factor, target
 grains 0.5 "$out/rocks/half_grains.toml"
 grains 2 "$out/rocks/double_grains.toml"
 
-rows=()
-vary() { # name, sed expression
-  local name=$1 expression=$2 dir=$out/$1
-  sed -e "$expression" -e "s|ROCKS|$rocks|; s|OWN|$(cd "$out/rocks" && pwd)|" "$here/cut/base.toml" >"$dir.toml"
-  if [ "$name" != base ] && cmp -s "$dir.toml" "$out/base.toml"; then
-    echo "cut_sensitivity.sh: $name changes nothing (its expression finds nothing in base.toml)" >&2
-    exit 1
-  fi
-  # a rock made for one study serves all that have the same bed; the program looks whether it is the right one
-  mkdir -p "$dir/specimens"
-  [ "$name" = base ] || cp -n "$out/base/specimens/"* "$dir/specimens/"
-  "$B" campaign run "$dir.toml" --dir "$dir" --jobs "$JOBS" --quiet >&2
-  "$B" campaign collect "$dir.toml" --dir "$dir" --quiet >&2
-  rows+=("$dir/features.csv")
-}
+base=$here/cut/base.toml
+source "$here/vary.sh"
 
 vary base ''
 for alpha in 0 0.02 0.05 0.2 0.5 0.7; do vary damping_$alpha "s/local_damping = .*/local_damping = $alpha/"; done
