@@ -4,8 +4,8 @@
 ///
 /// Stiffness and strength of a joint go by the size of its discs (E* / (R1 + R2), stresses), so modulus and strength of
 /// the coarse rock are those of the fine rock. What differs is toughness, which grows as the root of the grain size
-/// [PotyondyCundall2004]: a crack that runs down into coarse rock finds it 1.4 times as tough at a ratio of 2, and fewer
-/// joints to break. So the fine layer must hold what breaks; docs/decisions/0011 says how deep cracks run.
+/// [PotyondyCundall2004]: a crack that runs down into coarse rock finds it 1.4 times as tough at a ratio of 2, and
+/// fewer joints to break. So the fine layer must hold what breaks; docs/decisions/0011 says how deep cracks run.
 
 #include <vector>
 
