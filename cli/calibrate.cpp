@@ -1,7 +1,6 @@
 // bitrock calibrate: micro-parameters of a synthetic rock from its laboratory numbers.
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -9,6 +8,7 @@
 #include "base/files.hpp"
 #include "base/units.hpp"
 #include "cli/command.hpp"
+#include "cli/ranges.hpp"
 #include "dem2d/calibrate/calibrated_rock.hpp"
 #include "dem2d/calibrate/laboratory.hpp"
 #include "dem2d/lab/loading_rate.hpp"
@@ -34,19 +34,13 @@ constexpr int typical_coarse_evaluations = 5, typical_fine_evaluations = 3;
 /// "first:last", both included; all of them new to the calibration.
 std::vector<int> fresh_seeds(const Options& options, const dem2d::CalibrationTarget& target) {
   if (options.validate_seeds.empty()) return {};
-  int first = 0, last = 0, used = 0;
-  const std::string& text = options.validate_seeds;
-  const bool good = std::sscanf(text.c_str(), "%9d:%9d%n", &first, &last, &used) == 2 &&
-                    used == static_cast<int>(text.size()) && first >= 0 && last >= first && last - first < 1000;
-  if (!good) {
-    throw base::InputError(fmt::format("--validate-seeds {} (write first:last, e.g. 101:110, 1000 at most)", text));
-  }
+  std::vector<int> seeds = seed_range("--validate-seeds", options.validate_seeds);
   const int begin = target.settings.first_seed, end = begin + target.settings.seeds;
-  if (first < end && last >= begin) {
+  if (seeds.front() < end && seeds.back() >= begin) {
     throw base::InputError(fmt::format("--validate-seeds {} (seeds {} to {} are those of the calibration; take others)",
-                                       text, begin, end - 1));
+                                       options.validate_seeds, begin, end - 1));
   }
-  return dem2d::seeds_from(first, last - first + 1);
+  return seeds;
 }
 
 nlohmann::json numbers_json(const dem2d::CalibrationTarget& target, const dem2d::Evaluation& evaluation) {

@@ -1,16 +1,17 @@
-// bitrock drill: a drill string on the rock that the networks describe, and its natural frequencies.
+// bitrock drill: a drill string on the rock that the networks describe, and its natural frequencies; `compare` and
+// `map` have files of their own.
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <optional>
 
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "cli/bit_tallies.hpp"
 #include "cli/command.hpp"
+#include "cli/drill_parts.hpp"
 #include "runtime/drillstring/drill_file.hpp"
 #include "runtime/drillstring/modes.hpp"
-#include "surrogate/net/model_file.hpp"
+#include "runtime/drillstring/steadiness.hpp"
 
 namespace cli {
 
@@ -52,18 +53,14 @@ nlohmann::json closed_forms(const runtime::DrillCase& drill) {
 }
 
 /// Whether small vibrations about steady rotation die, as far as friction at the static weight on bit decides.
-nlohmann::json steadiness(const runtime::DrillString& string) {
+nlohmann::json steady_json(const runtime::DrillString& string) {
   const double weight = runtime::static_weight_on_bit(string), rotation = string.drive.rotation;
   if (!string.drive.imposes_speed || rotation == 0.0 || string.bit.friction.law == runtime::FrictionLaw::none)
     return nullptr;
-  const double slope = string.bit.friction.law == runtime::FrictionLaw::smooth
-                           ? friction_slope(string.bit.friction.smooth, rotation)
-                           : friction_slope(string.bit.friction.stribeck, rotation);
-  const double demand = std::max(0.0, -weight * string.bit.friction_radius * slope);
-  const double damping = runtime::equivalent_damping(string.torsional);
-  return {{"equivalent_damping_N_m_s_per_rad", damping},
-          {"friction_demand_N_m_s_per_rad", demand},
-          {"stable", demand < damping}};
+  const runtime::Steadiness seen = runtime::steadiness(string, rotation, weight);
+  return {{"equivalent_damping_N_m_s_per_rad", seen.damping},
+          {"friction_demand_N_m_s_per_rad", seen.demand},
+          {"stable", seen.demand < seen.damping}};
 }
 
 void show_modes(const Options& options) {
@@ -76,7 +73,7 @@ void show_modes(const Options& options) {
     off_bottom = runtime::natural_frequencies(string.axial);
   }
   const std::vector<double> torsional = runtime::natural_frequencies(string.torsional);
-  const nlohmann::json forms = closed_forms(drill), steady = steadiness(string);
+  const nlohmann::json forms = closed_forms(drill), steady = steady_json(string);
   say(options.common, "{}\n", drill.name);
   if (!on_bottom.empty()) {
     say(options.common, "axial, bit on rock:   {} Hz\naxial, bit off bottom: {} Hz\n", listed(on_bottom),
@@ -103,50 +100,6 @@ void show_modes(const Options& options) {
                               {"closed_forms", forms},
                               {"steady_rotation", steady},
                               {"longest_stable_step_s", runtime::longest_stable_step(string)}});
-}
-
-/// The model of the case or the flag; nothing where the source needs none.
-std::optional<surrogate::Model> model_of(const Options& options, runtime::DrillCase& drill) {
-  if (!options.model_file.empty()) drill.source.model_file = options.model_file;
-  if (drill.source.kind != runtime::SourceKind::bit) {
-    if (!options.model_file.empty()) warn(options.common, "the source of the case is not 'bit': --model is not used");
-    drill.source.model_file.clear();
-    return std::nullopt;
-  }
-  if (drill.source.model_file.empty()) return std::nullopt;
-  surrogate::Model model = surrogate::read_model(drill.source.model_file);
-  if (!drill.rock.empty() && model.rock != drill.rock) {
-    warn(options.common,
-         fmt::format("the case is about the rock '{}', the model {}", drill.rock,
-                     model.rock.empty() ? "does not say of which rock it is" : fmt::format("is of '{}'", model.rock)));
-  }
-  return model;
-}
-
-nlohmann::json spread_json(const runtime::Spread& spread, double unit) {
-  return {{"mean", spread.mean / unit},
-          {"sd", spread.deviation / unit},
-          {"min", spread.lowest / unit},
-          {"max", spread.highest / unit}};
-}
-
-nlohmann::json summary_json(const runtime::DrillSummary& s) {
-  return {{"bit_rotation_rpm", spread_json(s.bit_rotation, rpm)},
-          {"weight_on_bit_N", spread_json(s.weight_on_bit, 1.0)},
-          {"total_force_N", spread_json(s.total_force, 1.0)},
-          {"torque_on_bit_N_m", spread_json(s.torque, 1.0)},
-          {"source_force_N", spread_json(s.source_force, 1.0)},
-          {"source_torque_N_m", spread_json(s.source_torque, 1.0)},
-          {"rop_m_per_h", spread_json(s.rop, 1.0 / 3600.0)},
-          {"static_weight_on_bit_N", s.static_weight_on_bit},
-          {"severity", s.severity},
-          {"share_at_rest", s.share_at_rest},
-          {"share_backwards", s.share_backwards},
-          {"share_off_bottom", s.share_off_bottom},
-          {"drilled_m", s.drilled},
-          {"energy_residual_fraction", s.energy_residual},
-          {"clamped", as_json(s.clamps)},
-          {"windows", as_json(s.draws)}};
 }
 
 void print(const Options& options, const runtime::DrillCase& drill, const runtime::DrillRun& run) {
@@ -191,7 +144,7 @@ void run(const Options& options) {
   if (options.seed >= 0) drill.source.seed = options.seed;
   const runtime::DrillString string = runtime::assemble(drill);
   for (const std::string& warning : runtime::warnings(drill, string)) warn(options.common, warning);
-  const std::optional<surrogate::Model> model = model_of(options, drill);
+  const std::optional<surrogate::Model> model = model_of(options.common, options.model_file, drill);
   const runtime::DrillSource source = runtime::make_source(drill, model);
   const std::vector<std::filesystem::path> inputs{options.case_file, drill.bit_file, drill.source.model_file};
   if (options.common.check) {
@@ -208,7 +161,7 @@ void run(const Options& options) {
   const std::string fingerprint = model ? base::fingerprint_text(base::read_whole(drill.source.model_file)) : "";
   runtime::write_drill_run(result, drill, fingerprint, options.output);
   print(options, drill, result);
-  write_json(options.common, {{"summary", summary_json(result.summary)},
+  write_json(options.common, {{"summary", as_json(result.summary)},
                               {"step_s", result.step},
                               {"steps", result.steps},
                               {"duration_s", drill.run.duration},
@@ -239,6 +192,8 @@ void add_drill(CLI::App& app) {
   modes->add_option("case", shown->case_file, "drilling case")->required();
   add_common(*modes, shown->common);
   modes->callback([shown] { show_modes(*shown); });
+  add_drill_compare(*drill);
+  add_drill_map(*drill);
 }
 
 }  // namespace cli

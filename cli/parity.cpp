@@ -3,10 +3,9 @@
 
 #include <memory>
 
-#include "base/child_process.hpp"
-#include "base/errors.hpp"
 #include "base/files.hpp"
 #include "cli/command.hpp"
+#include "cli/draw.hpp"
 #include "cli/parity_figures.hpp"
 #include "cli/report_parts.hpp"
 #include "surrogate/net/model_file.hpp"
@@ -110,40 +109,21 @@ std::filesystem::path in_folder(const Options& options, const report::Figure& fi
   return std::filesystem::path(options.figures_folder) / (figure.name + "." + ending);
 }
 
-/// Draws into a file aside, which becomes the picture when it is whole.
-void draw(const Options& options, const report::Figure& figure) {
-  const std::filesystem::path picture = in_folder(options, figure, options.format);
-  const std::string part = picture.filename().string() + ".part";
-  std::string folder;  // between single quotes of gnuplot, where a quote is written twice
-  for (const char c : std::filesystem::absolute(options.figures_folder).string()) {
-    folder += c;
-    if (c == '\'') folder += c;
-  }
-  const base::ProgramEnd end = base::run_program(
-      {"gnuplot", "-e", fmt::format("cd '{}'; picture = '{}'; load '{}.gp'", folder, part, figure.name)});
-  if (end.status != 0) {
-    throw base::SimulationError(fmt::format("gnuplot could not draw {} (status {}): {}",
-                                            in_folder(options, figure, "gp").string(), end.status, end.output));
-  }
-  std::filesystem::rename(picture.string() + ".part", picture);
-}
-
 void write_figures(const Options& options, const std::vector<report::Figure>& figures) {
-  const bool can_draw = base::is_installed("gnuplot");
   for (const report::Figure& figure : figures) {
     const report::GnuplotFiles files = report::gnuplot_files(figure, picture_format(options));
     base::write_whole(in_folder(options, figure, "csv"), files.table);
     base::write_whole(in_folder(options, figure, "gp"), files.script);
-    if (can_draw) draw(options, figure);
+    if (can_draw()) draw(in_folder(options, figure, "gp"), in_folder(options, figure, options.format));
   }
-  if (can_draw) {
+  if (can_draw()) {
     say(options.common, "-> {}: {} figures, each .{} with its .gp and .csv\n", options.figures_folder, figures.size(),
         options.format);
   } else {
     warn(options.common,
-         fmt::format("gnuplot is not installed (apt-get install gnuplot-nox), so nothing was drawn; the "
-                     "scripts and tables are in {}: there, gnuplot parity_x.gp and so on will do",
-                     options.figures_folder));
+         fmt::format("{}, so nothing was drawn; the scripts and tables are in {}: there, gnuplot parity_x.gp and so "
+                     "on will do",
+                     no_gnuplot, options.figures_folder));
   }
 }
 

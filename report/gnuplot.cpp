@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/errors.hpp"
+#include "report/gnuplot_text.hpp"
 #include "report/legend.hpp"
 
 namespace report {
@@ -15,16 +16,6 @@ namespace {
 
 // Sizes of the picture [px]; on paper, 96 of them are an inch.
 constexpr double panel_width = 400.0, left = 78.0, right = 16.0, above = 34.0, below = 70.0, legend_height = 40.0;
-
-/// For the script: on one line between single quotes, where a quote is written twice and nothing else has a meaning.
-std::string quoted(const std::string& text) {
-  std::string safe = "'";
-  for (const char c : text) {
-    safe += c == '\n' || c == '\r' ? ' ' : c;
-    if (c == '\'') safe += c;
-  }
-  return safe + "'";
-}
 
 /// Without line breaks and double quotes: gnuplot cannot read a double quote inside a quoted field of a table.
 std::string in_table(std::string text) {

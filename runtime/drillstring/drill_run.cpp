@@ -33,9 +33,20 @@ struct Running {
   }
 };
 
+/// Longest row of steps in which something held.
+struct Longest {
+  long long now = 0, ever = 0;
+
+  void add(bool holds) {
+    now = holds ? now + 1 : 0;
+    ever = std::max(ever, now);
+  }
+};
+
 struct Observed {
   Running rotation, weight, total, torque, source_force, source_torque, rop;
   double count = 0.0, at_rest = 0.0, backwards = 0.0, off_bottom = 0.0;
+  Longest stop, flight;
 };
 
 double torque_on_bit(const DrillState& state) {
@@ -55,6 +66,8 @@ void observe(const DrillState& state, Observed& seen) {
   seen.at_rest += std::abs(rotation) < at_rest ? 1.0 : 0.0;
   seen.backwards += rotation < 0.0 ? 1.0 : 0.0;
   seen.off_bottom += state.weight_on_bit == 0.0 ? 1.0 : 0.0;
+  seen.stop.add(rotation < at_rest);
+  seen.flight.add(state.weight_on_bit == 0.0);
 }
 
 void record(const DrillString& string, const DrillState& state, DrillSeries& series) {
@@ -88,7 +101,8 @@ void require_finite(const DrillState& state) {
                   state.time));
 }
 
-DrillSummary summary_of(const DrillString& string, const DrillState& state, const Observed& seen, double residual) {
+DrillSummary summary_of(const DrillString& string, const DrillState& state, const Observed& seen, double step,
+                        double residual) {
   DrillSummary summary;
   summary.bit_rotation = seen.rotation.spread();
   summary.weight_on_bit = seen.weight.spread();
@@ -103,6 +117,8 @@ DrillSummary summary_of(const DrillString& string, const DrillState& state, cons
   summary.share_at_rest = seen.at_rest / seen.count;
   summary.share_backwards = seen.backwards / seen.count;
   summary.share_off_bottom = seen.off_bottom / seen.count;
+  summary.longest_stop = static_cast<double>(seen.stop.ever) * step;
+  summary.longest_flight = static_cast<double>(seen.flight.ever) * step;
   summary.drilled = state.face;
   const EnergyFlows& work = state.work;
   const double through = std::abs(work.drive) + std::abs(work.weight + work.hook) + std::abs(work.bit_friction) +
@@ -169,7 +185,7 @@ DrillRun run_drill(const DrillCase& drill, const DrillString& string, const Dril
   if (seen.count == 0.0) observe(state, seen);
 
   run.steps = samples * steps_a_sample;
-  run.summary = summary_of(string, state, seen, energy_residual(string, state, initial));
+  run.summary = summary_of(string, state, seen, run.step, energy_residual(string, state, initial));
   if (source.bit) {
     run.summary.clamps = source.bit->clamps();
     run.summary.draws = source.bit->draws();

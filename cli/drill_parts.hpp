@@ -1,0 +1,24 @@
+#pragma once
+/// What `drill run`, `drill compare` and `drill map` share: the model of a case, and a summary in words and JSON.
+
+#include <optional>
+#include <string>
+
+#include "cli/command.hpp"
+#include "runtime/drillstring/drill_run.hpp"
+
+namespace cli {
+
+/// The model of the flag or else of the case; nothing where the source of the case needs none. Warns of a model of
+/// another rock. The case then names the file that was read.
+std::optional<surrogate::Model> model_of(const CommonOptions& common, const std::string& flag,
+                                         runtime::DrillCase& drill);
+
+/// As docs/formats.md lists it under "drill run".
+nlohmann::json as_json(const runtime::DrillSummary& summary);
+
+/// `drill compare` and `drill map`.
+void add_drill_compare(CLI::App& drill);
+void add_drill_map(CLI::App& drill);
+
+}  // namespace cli

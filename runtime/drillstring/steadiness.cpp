@@ -1,0 +1,36 @@
+#include "runtime/drillstring/steadiness.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "runtime/drillstring/modes.hpp"
+
+namespace runtime {
+
+namespace {
+
+/// How fast the friction at the bit falls with its speed, by newton of weight [m s/rad].
+double fall(const BitRock& bit, double rotation) {
+  switch (bit.friction.law) {
+    case FrictionLaw::smooth:
+      return std::max(0.0, -bit.friction_radius * friction_slope(bit.friction.smooth, rotation));
+    case FrictionLaw::stribeck:
+      return std::max(0.0, -bit.friction_radius * friction_slope(bit.friction.stribeck, rotation));
+    case FrictionLaw::none:
+      break;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+Steadiness steadiness(const DrillString& string, double rotation, double weight) {
+  return {.damping = equivalent_damping(string.torsional), .demand = weight * fall(string.bit, rotation)};
+}
+
+double steady_weight_limit(const DrillString& string, double rotation) {
+  const double falling = fall(string.bit, rotation);
+  return falling > 0.0 ? equivalent_damping(string.torsional) / falling : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace runtime
