@@ -24,8 +24,8 @@ namespace {
 constexpr double rpm = 2.0 * std::numbers::pi / 60.0, kN = 1e3, m_per_h = 1.0 / 3600.0;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_runs = 100000;  // a day or so of two cores
-// A severity of 1 is a bit that comes to rest and swings to double the mean. Beyond 1.5 more is not worse.
-constexpr double darkest_severity = 1.5;
+// At a severity of 1 the bit comes to rest and swings to double the mean; what turns back is a little above.
+constexpr double greatest_severity = 1.2;
 
 struct Options {
   CommonOptions common;
@@ -167,14 +167,14 @@ report::HeatMap heat_map(const Study& study, const std::vector<Point>& points) {
                             .y = {study.drill.drive.hook_load / kN},
                             .style = report::Style::markers,
                             .colour = report::Colour::vermillion};
-  return {.title = "Stick-slip: " + study.drill.name,
+  return {.title = study.drill.name,
           .x_label = "speed of the top drive [rpm]",
           .y_label = "hook load [kN]",
           .value_label = "severity (max - min) / (2 mean) of the bit's speed [1]",
           .x = study.rotations,
           .y = study.hook_loads,
           .value = values,
-          .value_range = {0.0, darkest_severity},
+          .value_range = {0.0, greatest_severity},
           .curves = {limit_of(study, weight), here},
           .right = {.label = "static weight on bit [kN]",
                     .at_first = weight / kN - study.hook_loads.front(),

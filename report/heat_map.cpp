@@ -79,13 +79,13 @@ std::string right_scale(const HeatMap& map, const AxisRange& y) {
   if (map.right.label.empty()) return "";
   const double slope = (map.right.at_last - map.right.at_first) / (map.y.back() - map.y.front());
   const auto at = [&](double value) { return map.right.at_first + slope * (value - map.y.front()); };
-  return fmt::format("set ytics nomirror\nset y2tics\nset y2label {} offset 1,0\nset y2range [{}:{}]\n",
+  return fmt::format("set ytics nomirror\nset y2tics\nset y2label {} offset -0.5,0\nset y2range [{}:{}]\n",
                      quoted(map.right.label), at(y.low), at(y.high));
 }
 
 std::string terminal(PictureFormat format) {
-  return format == PictureFormat::png ? "set terminal pngcairo noenhanced size 960,700 font 'sans,13'\n"
-                                      : "set terminal pdfcairo noenhanced size 7.2in,5.25in font 'sans,11'\n";
+  return format == PictureFormat::png ? "set terminal pngcairo noenhanced size 960,740 font 'sans,13'\n"
+                                      : "set terminal pdfcairo noenhanced size 7.2in,5.55in font 'sans,11'\n";
 }
 
 }  // namespace
@@ -104,7 +104,9 @@ std::string heat_map_script(const HeatMap& map, const std::string& picture, Pict
       "[{}:{}]\n"
       "set cbrange [{}:{}]\nset tics out textcolor rgb '#1d2733'\nset border lc rgb '#5b6774'\n"
       "set object 1 rectangle from graph 0, graph 0 to graph 1, graph 1 behind fc rgb '{}' fs solid noborder\n"
-      "set key below horizontal reverse Left samplen 3\n",
+      "set xtics nomirror\nset margins at screen 0.09, screen 0.76, screen 0.24, screen 0.93\n"
+      "set colorbox user origin screen 0.875, screen 0.24 size screen 0.025, screen 0.69\n"
+      "set key at screen 0.425, screen 0.125 center top reverse Left samplen 3\n",
       quoted(map.title), quoted(map.x_label), quoted(map.y_label), quoted(map.value_label), x.low, x.high, y.low,
       y.high, map.value_range.low, map.value_range.high, grey);
   text += right_scale(map, y);

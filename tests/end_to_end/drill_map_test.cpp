@@ -67,7 +67,7 @@ TEST_F(DrillStudies, MapDrawsAPictureWithItsScript) {
   if (!base::is_installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
   const auto outcome =
       run("drill map " + path("case.toml") + model + " --hook-load-kN 15:45:3 --rotation-rpm 30:90:2 " + "-o " +
-          path("m.csv") + " --picture " + path("it's.png"));
+          path("m.csv") + " --picture \"" + path("it's.png") + "\"");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_EQ(base::read_whole(path("it's.png")).substr(1, 3), "PNG");
   EXPECT_NE(base::read_whole(path("it's.gp")).find("limit of steady rotation"), std::string::npos);
