@@ -67,12 +67,7 @@ void show_modes(const Options& options) {
   const runtime::DrillCase drill = runtime::read_drill_case(options.case_file);
   const runtime::DrillString string = runtime::assemble(drill);
   require_outputs(options.common, {options.case_file, drill.bit_file}, {});
-  std::vector<double> on_bottom, off_bottom;
-  if (string.axial.size() > 0) {
-    on_bottom = runtime::natural_frequencies(string.axial, runtime::axial_support(string));
-    off_bottom = runtime::natural_frequencies(string.axial);
-  }
-  const std::vector<double> torsional = runtime::natural_frequencies(string.torsional);
+  const auto [on_bottom, off_bottom, torsional] = runtime::drill_modes(string);
   const nlohmann::json forms = closed_forms(drill), steady = steady_json(string);
   say(options.common, "{}\n", drill.name);
   if (!on_bottom.empty()) {

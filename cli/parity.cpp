@@ -5,7 +5,7 @@
 
 #include "base/files.hpp"
 #include "cli/command.hpp"
-#include "cli/draw.hpp"
+#include "cli/figure_files.hpp"
 #include "cli/parity_figures.hpp"
 #include "cli/report_parts.hpp"
 #include "surrogate/net/model_file.hpp"
@@ -16,7 +16,8 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string model_file, data_file, report_file, figures_folder, format;
+  std::string model_file, data_file, report_file;
+  FigureOptions figures;
   bool unseen = false;
 };
 
@@ -101,32 +102,6 @@ void warn_of_data(const Options& options, const surrogate::Parity& parity) {
   }
 }
 
-report::PictureFormat picture_format(const Options& options) {
-  return options.format == "pdf" ? report::PictureFormat::pdf : report::PictureFormat::png;
-}
-
-std::filesystem::path in_folder(const Options& options, const report::Figure& figure, const std::string& ending) {
-  return std::filesystem::path(options.figures_folder) / (figure.name + "." + ending);
-}
-
-void write_figures(const Options& options, const std::vector<report::Figure>& figures) {
-  for (const report::Figure& figure : figures) {
-    const report::GnuplotFiles files = report::gnuplot_files(figure, picture_format(options));
-    base::write_whole(in_folder(options, figure, "csv"), files.table);
-    base::write_whole(in_folder(options, figure, "gp"), files.script);
-    if (can_draw()) draw(in_folder(options, figure, "gp"), in_folder(options, figure, options.format));
-  }
-  if (can_draw()) {
-    say(options.common, "-> {}: {} figures, each .{} with its .gp and .csv\n", options.figures_folder, figures.size(),
-        options.format);
-  } else {
-    warn(options.common,
-         fmt::format("{}, so nothing was drawn; the scripts and tables are in {}: there, gnuplot parity_x.gp and so "
-                     "on will do",
-                     no_gnuplot, options.figures_folder));
-  }
-}
-
 void write_page(const Options& options, const surrogate::Model& model, const surrogate::Parity& parity) {
   report::Page page("Network against DEM", model.rock);
   page.section("Parity");
@@ -151,18 +126,14 @@ void run(const Options& options) {
   std::vector<report::Figure> figures;
   std::vector<std::filesystem::path> outputs;
   if (!options.report_file.empty()) outputs.emplace_back(options.report_file);
-  if (!options.figures_folder.empty()) figures = all_figures(parity);
-  for (const report::Figure& figure : figures) {
-    for (const std::string& ending : {std::string("csv"), std::string("gp"), options.format}) {
-      outputs.push_back(in_folder(options, figure, ending));
-    }
-  }
+  if (!options.figures.folder.empty()) figures = all_figures(parity);
+  for (const auto& path : figure_paths(options.figures, figures)) outputs.push_back(path);
   require_outputs(options.common, {options.model_file, options.data_file}, outputs);
 
   say_table(options.common, parity);
   warn_of_data(options, parity);
   if (!options.report_file.empty()) write_page(options, model, parity);
-  if (!options.figures_folder.empty()) write_figures(options, figures);
+  if (!figures.empty()) write_figures(options.common, options.figures, figures);
   nlohmann::json result;
   for (const surrogate::OutputParity& output : parity.outputs) result[output.name] = as_json(output);
   write_json(options.common, {{"outputs", result},
@@ -180,13 +151,7 @@ void add_parity(CLI::App& app) {
   command->add_option("model", options->model_file, "model.json")->required();
   command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
   command->add_option("--report", options->report_file, "HTML file to write")->check(not_empty());
-  command
-      ->add_option("--figures", options->figures_folder,
-                   "folder for the plots as pictures, with the gnuplot script and the table of each")
-      ->check(not_empty());
-  command->add_option("--format", options->format, "of the pictures")
-      ->check(CLI::IsMember({"png", "pdf"}))
-      ->default_val("png");
+  add_figure_options(*command, options->figures);
   command->add_flag("--unseen", options->unseen,
                     "the data are of another study: whatever their case numbers, the model has seen none of them");
   add_common(*command, options->common);

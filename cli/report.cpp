@@ -1,10 +1,11 @@
-// bitrock report: everything a campaign folder holds, on one HTML page.
+// bitrock report: everything a campaign folder holds, or drill runs side by side, on one HTML page.
 #include <algorithm>
 #include <memory>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "cli/command.hpp"
+#include "cli/figure_files.hpp"
 #include "cli/report_parts.hpp"
 #include "report/embedded.hpp"
 #include "surrogate/net/model_file.hpp"
@@ -15,7 +16,9 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string folder, output;
+  std::vector<std::string> inputs;  ///< one campaign folder, or files of drill runs
+  std::string output;
+  FigureOptions figures;
 };
 
 // Force histories shown small, side by side; a large campaign has too many for one page.
@@ -55,22 +58,25 @@ void add_cut_chapters(report::Page& page, const std::vector<dem2d::RunFile>& run
   if (deepest->cut.depth_of_cut > runs.front().cut.depth_of_cut) add_fracture_picture(page, *deepest);
 }
 
-void run(const Options& options) {
-  const std::filesystem::path folder = options.folder;
-  if (!std::filesystem::is_directory(folder))
-    throw base::InputError(fmt::format("{} is not a folder (a campaign folder is needed)", options.folder));
+void require_plot_library() {
+  if (report::plotly_available()) return;
+  throw base::InputError(
+      "this program was built without the plot library, so it cannot write reports (install npm, then build again)");
+}
+
+void report_campaign(const Options& options) {
+  const std::filesystem::path folder = options.inputs.front();
+  if (!options.figures.folder.empty())
+    throw base::InputError("--figures goes with files of drill runs (a campaign has `bitrock parity --figures`)");
   const auto model_file = folder / "model.json", data_file = folder / "features.csv",
              bit_file = folder / "bit_force.csv";
   const std::vector<dem2d::RunFile> runs = read_runs(folder / "runs");
   const bool has_model = std::filesystem::exists(model_file), has_bit = std::filesystem::exists(bit_file);
   if (runs.empty() && !has_model && !has_bit) {
-    throw base::InputError(
-        fmt::format("{} holds nothing to report (looked for runs/*.h5, model.json and bit_force.csv)", options.folder));
+    throw base::InputError(fmt::format(
+        "{} holds nothing to report (looked for runs/*.h5, model.json and bit_force.csv)", folder.string()));
   }
-  if (!report::plotly_available()) {
-    throw base::InputError(
-        "this program was built without the plot library, so it cannot write reports (install npm, then build again)");
-  }
+  require_plot_library();
   require_outputs(options.common, {model_file, data_file, bit_file, folder / "bit_force.json"}, {options.output});
 
   report::Page page("From lab rock to bit force", runs.empty() ? std::string() : runs.front().cut.rock.name);
@@ -102,17 +108,62 @@ void run(const Options& options) {
   write_json(options.common, {{"files", {options.output}}});
 }
 
+void report_drill(const Options& options) {
+  const std::vector<std::string>& names = options.inputs;
+  if (names.size() > most_shown_runs)
+    throw base::InputError(fmt::format("{} files of drill runs (at most {} can be told apart on one page)",
+                                       names.size(), most_shown_runs));
+  std::vector<runtime::DrillFile> files;
+  for (const std::string& name : names) {
+    if (!std::filesystem::exists(name))
+      throw base::InputError(
+          fmt::format("{} is not a folder or a file (a campaign folder is needed, or files of "
+                      "`bitrock drill run`)",
+                      name));
+    if (std::filesystem::is_directory(name))
+      throw base::InputError(fmt::format("{} is a folder (one campaign folder alone, or files of drill runs)", name));
+    files.push_back(runtime::read_drill_run(name));
+  }
+  require_plot_library();
+  const std::vector<ShownRun> runs = shown_runs(names, std::move(files));
+  const std::vector<report::Figure> figures = drill_figures(runs);
+  std::vector<report::Figure> on_paper;
+  if (!options.figures.folder.empty()) {
+    on_paper = figures;
+    if (runs.size() == 1) on_paper.push_back(drill_sheet(runs.front()));
+  }
+  std::vector<std::filesystem::path> outputs = figure_paths(options.figures, on_paper);
+  outputs.insert(outputs.begin(), options.output);
+  require_outputs(options.common, {names.begin(), names.end()}, outputs);
+
+  report::Page page(runs.size() == 1 ? "Drill run" : "Drill runs side by side",
+                    runs.size() == 1 ? runs.front().file.drill.name : "");
+  add_drill_chapters(page, runs, figures);
+  base::write_whole(options.output, page.html());
+  say(options.common, "-> {}\n", options.output);
+  if (!on_paper.empty()) write_figures(options.common, options.figures, on_paper);
+  write_json(options.common, {{"files", {options.output}}});
+}
+
+void run(const Options& options) {
+  if (options.inputs.size() == 1 && std::filesystem::is_directory(options.inputs.front()))
+    report_campaign(options);
+  else
+    report_drill(options);
+}
+
 }  // namespace
 
 void add_report(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("report", "one HTML page of a campaign folder: forces, fracture, learning, parity, bit");
+  CLI::App* command = app.add_subcommand("report", "one HTML page of a campaign folder, or of drill runs side by side");
   command
-      ->add_option("dir", options->folder,
-                   "campaign folder; may also hold model.json, bit_force.csv and bit_force.json")
+      ->add_option("input", options->inputs,
+                   "campaign folder, which may also hold model.json, bit_force.csv and bit_force.json; or one or more "
+                   "files of `bitrock drill run`")
       ->required();
   command->add_option("-o,--output", options->output, "HTML file to write")->default_val("report.html");
+  add_figure_options(*command, options->figures);
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "cli/drill_figures.hpp"
 #include "dem2d/output/run_file.hpp"
 #include "report/page.hpp"
 #include "surrogate/net/model.hpp"
@@ -30,5 +31,9 @@ void add_parity(report::Page& page, const surrogate::Model& model, const surroga
 
 /// `csv` as written by `bitrock signal`; `json` its result, or empty.
 void add_bit_force(report::Page& page, const std::filesystem::path& csv, const std::filesystem::path& json);
+
+/// Drill runs side by side: what was run, what came out, and `figures`, which are those of `drill_figures`.
+void add_drill_chapters(report::Page& page, const std::vector<ShownRun>& runs,
+                        const std::vector<report::Figure>& figures);
 
 }  // namespace cli

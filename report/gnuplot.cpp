@@ -15,7 +15,7 @@ namespace report {
 namespace {
 
 // Sizes of the picture [px]; on paper, 96 of them are an inch.
-constexpr double panel_width = 400.0, left = 78.0, right = 16.0, above = 34.0, below = 70.0, legend_height = 40.0;
+constexpr double left = 78.0, right = 16.0, above = 34.0, below = 70.0, legend_height = 40.0;
 
 /// Without line breaks and double quotes: gnuplot cannot read a double quote inside a quoted field of a table.
 std::string in_table(std::string text) {
@@ -97,15 +97,21 @@ double marker_size(const Series& series) {
   return series.marker == Marker::diamond ? 1.4 * size : size;
 }
 
+/// A dense signal in a heavy pen is a black bar.
+double pen(const Series& series) {
+  constexpr std::size_t dense = 1000;
+  return series.x.size() > dense ? 0.8 : 1.8;
+}
+
 /// How a series is drawn; its own columns beyond x and y are 5 (error_x), 6 (error_y) and 7 (upper edge).
 std::string style(const Series& series, const std::string& colour) {
   const std::string marker =
       fmt::format("pt {} ps {} lc rgb '{}'", point_type(series.marker), marker_size(series), colour);
   switch (series.style) {
     case Style::line:
-      return fmt::format("with lines lw 1.8 lc rgb '{}'", colour);
+      return fmt::format("with lines lw {} lc rgb '{}'", pen(series), colour);
     case Style::dashed:
-      return fmt::format("with lines lw 1.8 dt (9,5) lc rgb '{}'", colour);
+      return fmt::format("with lines lw {} dt (9,5) lc rgb '{}'", pen(series), colour);
     case Style::line_and_markers:
       return "with linespoints " + marker;
     case Style::band:
@@ -185,14 +191,36 @@ double label_step(const AxisRange& range) {
   return 10.0 * power;
 }
 
+/// 10 to the power of `exponent` as people write it: 0.01, 1, 100, but 10\u207b\u2075 where zeros would have to be
+/// counted.
+std::string power_of_ten(int exponent) {
+  if (std::abs(exponent) <= 3) return fmt::format("{:g}", std::pow(10.0, exponent));
+  constexpr const char* digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                    "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = exponent < 0 ? "10\u207b" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) text += digits[digit - '0'];
+  return text;
+}
+
+/// Labels of a logarithmic axis: whole decades, at most seven of them.
+std::string decades(char name, const AxisRange& range) {
+  const int first = static_cast<int>(std::ceil(std::log10(range.low) - 1e-9));
+  const int last = static_cast<int>(std::floor(std::log10(range.high) + 1e-9));
+  const int step = std::max(1, (last - first + 6) / 7);
+  std::vector<std::string> labels;
+  for (int exponent = first; exponent <= last; exponent += step)
+    labels.push_back(fmt::format("'{}' 1e{}", power_of_ten(exponent), exponent));
+  return labels.empty() ? fmt::format("set {}tics autofreq\n", name)
+                        : fmt::format("set {}tics ({})\n", name, fmt::join(labels, ", "));
+}
+
 std::string axis(char name, const std::string& label, bool logarithmic, const std::optional<AxisRange>& range) {
   std::string text = fmt::format("set {}label {}\n", name, quoted(label));
   text += fmt::format("{} logscale {}\n", logarithmic ? "set" : "unset", name);
   text += range ? fmt::format("set {}range [{}:{}]\n", name, range->low, range->high)
                 : fmt::format("set {}range [*:*]\n", name);
-  text += range && !logarithmic ? fmt::format("set {}tics {:.4g}\n", name, label_step(*range))
-                                : fmt::format("set {}tics autofreq\n", name);
-  return text;
+  if (!range) return text + fmt::format("set {}tics autofreq\n", name);
+  return text + (logarithmic ? decades(name, *range) : fmt::format("set {}tics {:.4g}\n", name, label_step(*range)));
 }
 
 bool has_points(const Plot& plot) {
@@ -236,13 +264,31 @@ std::string place(double from_left, double from_right, double from_below, double
                      1.0 - from_right, from_below, 1.0 - from_above);
 }
 
-std::string panel_script(const Plot& plot, const std::string& panel, bool with_legend) {
-  std::string text = fmt::format("set title {}\n", quoted(plot.title));
+/// Of a panel with a legend of its own: the legend stands at the right of the title, over the panel, so that it hides
+/// nothing; where both do not fit, inside, on white.
+std::string title_and_key(const Plot& plot, double panel_width) {
+  constexpr double letter = 7.0, sample = 44.0;  // [px] of 10 pt
+  double width = letter * static_cast<double>(plot.title.size());
+  for (const Series& series : plot.series) {
+    if (!series.name.empty()) width += letter * static_cast<double>(series.name.size()) + sample;
+  }
+  for (const HorizontalBand& band : plot.bands) {
+    if (!band.name.empty()) width += letter * static_cast<double>(band.name.size()) + sample;
+  }
+  const bool fits = width < panel_width - left - right;
+  return fmt::format(
+      "unset title\nset label {} at graph 0, graph 1 left offset 0,0.9\nset key {}\n", quoted(plot.title),
+      fits ? "at graph 1, graph 1.03 right bottom horizontal noopaque" : "top right inside vertical opaque");
+}
+
+std::string panel_script(const Plot& plot, const std::string& panel, bool with_legend, double panel_width) {
+  std::string text;
   text += axis('x', plot.x_label, plot.log_x, range_of(plot, plot.x_range)) +
           axis('y', plot.y_label, plot.log_y, range_of(plot, plot.y_range));
   text += air(plot);
   text += plot.square ? "set size square\n" : "set size nosquare\n";
   text += fmt::format("set boxwidth {} absolute\nunset object\nunset label\n", 0.94 * box_width(plot));
+  text += with_legend ? title_and_key(plot, panel_width) : fmt::format("set title {}\n", quoted(plot.title));
   if (!plot.caption.empty()) {
     text += fmt::format("set label {} at graph 0.5, graph 0 center offset 0,-3.6 font ',8' textcolor rgb '#5b6774'\n",
                         quoted(plot.caption));
@@ -265,6 +311,7 @@ bool one_legend(const Figure& figure) {
 /// Where the panels are [px].
 struct Sheet {
   int columns = 1, rows = 1;
+  double panel_width = 0.0;
   double top = 0.0;     ///< above all panels
   double height = 0.0;  ///< of the area in the axes of a panel
   double width() const { return columns * panel_width; }
@@ -275,9 +322,11 @@ Sheet sheet_of(const Figure& figure) {
   const int panels = static_cast<int>(figure.plots.size());
   Sheet sheet{.columns = figure.columns,
               .rows = (panels + figure.columns - 1) / figure.columns,
+              .panel_width = figure.panel_width_px,
               .top = one_legend(figure) ? legend_height : 0.0};
   for (const Plot& plot : figure.plots) {
-    sheet.height = std::max(sheet.height, plot.square ? panel_width - left - right : plot.height_px - above - below);
+    sheet.height =
+        std::max(sheet.height, plot.square ? sheet.panel_width - left - right : plot.height_px - above - below);
   }
   return sheet;
 }
@@ -305,15 +354,15 @@ std::string legend_script(const Plot& plot, const Sheet& sheet) {
 
 std::string panels_script(const Figure& figure, const std::vector<std::string>& keys, const Sheet& sheet) {
   const bool own_legends = !one_legend(figure);
-  std::string text = own_legends ? "set key top left reverse Left samplen 2\n" : "";
+  std::string text = own_legends ? "set key reverse Left samplen 1.6\n" : "";
   for (std::size_t k = 0; k < figure.plots.size(); ++k) {
     const int row = static_cast<int>(k) / sheet.columns, column = static_cast<int>(k) % sheet.columns;
-    const double from_left = (column * panel_width + left) / sheet.width();
-    const double from_right = 1.0 - ((column + 1) * panel_width - right) / sheet.width();
+    const double from_left = (column * sheet.panel_width + left) / sheet.width();
+    const double from_right = 1.0 - ((column + 1) * sheet.panel_width - right) / sheet.width();
     const double from_above = (sheet.top + row * (sheet.height + above + below) + above) / sheet.total_height();
     const double from_below = 1.0 - from_above - sheet.height / sheet.total_height();
     text += fmt::format("\n# {}\n", keys[k]) + place(from_left, from_right, from_below, from_above) +
-            panel_script(figure.plots[k], keys[k], own_legends);
+            panel_script(figure.plots[k], keys[k], own_legends, sheet.panel_width);
   }
   return text;
 }
@@ -327,6 +376,10 @@ void check_figure(const Figure& figure) {
         fmt::format("figure '{}': the name may hold letters, digits and underlines only", figure.name));
   }
   if (figure.plots.empty()) throw base::InputError(fmt::format("figure '{}' has no panels", figure.name));
+  if (!(figure.panel_width_px > left + right)) {
+    throw base::InputError(fmt::format("figure '{}': panels {} px wide (their labels take {})", figure.name,
+                                       figure.panel_width_px, left + right));
+  }
   if (figure.columns < 1) {
     throw base::InputError(fmt::format("figure '{}': {} columns (at least 1)", figure.name, figure.columns));
   }

@@ -16,6 +16,7 @@ struct Figure {
   std::string caption;  ///< a sentence for the page; a comment in the script
   std::vector<Plot> plots;
   int columns = 3;
+  double panel_width_px = 400.0;  ///< [px] of the picture, labels included; on paper, 96 of them are an inch
 };
 
 enum class PictureFormat { png, pdf };

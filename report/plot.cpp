@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/errors.hpp"
 
@@ -43,6 +45,23 @@ void check_limits(const Plot& plot, const char* what, double low, double high, b
   }
 }
 
+void share(std::span<Plot> plots, std::vector<double> Series::*values, std::optional<AxisRange> Plot::*range) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Plot& plot : plots) {
+    for (const Series& series : plot.series) {
+      for (const double value : series.*values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    }
+  }
+  if (low > high) return;
+  constexpr double part = 0.05, least = 1e-9;  // of the spread; where all is one value, of that value
+  const double air = high > low ? part * (high - low) : std::max(least, part * std::abs(high));
+  for (Plot& plot : plots) plot.*range = AxisRange{low - air, high + air};
+}
+
 }  // namespace
 
 void check(const Plot& plot) {
@@ -53,6 +72,14 @@ void check(const Plot& plot) {
   if (plot.x_range) check_limits(plot, "x axis", plot.x_range->low, plot.x_range->high, plot.log_x);
   if (plot.y_range) check_limits(plot, "y axis", plot.y_range->low, plot.y_range->high, plot.log_y);
   if (!(plot.height_px > 0.0)) refuse(plot, fmt::format("height_px = {} (must be above 0)", plot.height_px));
+}
+
+void share_x_axis(std::span<Plot> plots) {
+  share(plots, &Series::x, &Plot::x_range);
+}
+
+void share_y_axis(std::span<Plot> plots) {
+  share(plots, &Series::y, &Plot::y_range);
 }
 
 std::string colour_code(Colour colour, std::size_t index) {

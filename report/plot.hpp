@@ -4,6 +4,7 @@
 /// caller. All text is plain text; the module makes it safe.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,10 @@ struct Plot {
 /// Throws `base::InputError` naming the plot and the series when lengths do not match, a band or range is empty or
 /// upside down, or a logarithmic axis is given a limit that is not positive.
 void check(const Plot& plot);
+
+/// Gives plots that are to be compared one x or y axis: that of all their data, with a little air.
+void share_x_axis(std::span<Plot> plots);
+void share_y_axis(std::span<Plot> plots);
 
 /// The colour of series number `index`, as "#rrggbb".
 std::string colour_code(Colour colour, std::size_t index);

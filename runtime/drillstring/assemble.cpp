@@ -126,6 +126,14 @@ BitSupport axial_support(const DrillString& string) {
   return {.stiffness = string.bit.contact.stiffness, .damping = string.bit.contact.damping};
 }
 
+DrillModes drill_modes(const DrillString& string) {
+  DrillModes modes{.torsional = natural_frequencies(string.torsional)};
+  if (string.axial.size() == 0) return modes;
+  modes.axial = natural_frequencies(string.axial, axial_support(string));
+  modes.axial_off_bottom = natural_frequencies(string.axial);
+  return modes;
+}
+
 double longest_stable_step(const DrillString& string) {
   double longest = longest_stable_step(string.torsional, torsional_support(string));
   if (string.axial.size() > 0) longest = std::min(longest, longest_stable_step(string.axial, axial_support(string)));

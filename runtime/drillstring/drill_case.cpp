@@ -302,9 +302,8 @@ void check_together(const base::ConfigFile& file, const DrillCase& drill) {
     file.refuse("wall", "normal_force_kN", "needs one entry for each torsional lump");
 }
 
-}  // namespace
-
-DrillCase read_drill_case(base::ConfigFile& file) {
+/// The keys of the file, without looking at the files they name.
+DrillCase read_keys(base::ConfigFile& file) {
   DrillCase drill;
   Words words;
   for (const base::Section& section : describe(drill, words)) file.fill(section);
@@ -316,6 +315,13 @@ DrillCase read_drill_case(base::ConfigFile& file) {
   }
   take_words(file, words, drill);
   file.refuse_unknown();
+  return drill;
+}
+
+}  // namespace
+
+DrillCase read_drill_case(base::ConfigFile& file) {
+  DrillCase drill = read_keys(file);
   if (!drill.bit_file.empty()) {
     drill.bit_file = file.resolve(drill.bit_file).string();
     drill.bit = read_bit(drill.bit_file);
@@ -328,6 +334,11 @@ DrillCase read_drill_case(base::ConfigFile& file) {
 DrillCase read_drill_case(const std::filesystem::path& path) {
   base::ConfigFile file = base::ConfigFile::read(path);
   return read_drill_case(file);
+}
+
+DrillCase recorded_drill_case(std::string_view text, const std::string& name) {
+  base::ConfigFile file = base::ConfigFile::from_text(text, name);
+  return read_keys(file);
 }
 
 std::string resolved_toml(const DrillCase& drill) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/config.hpp"
@@ -65,6 +66,10 @@ struct DrillCase {
 DrillCase read_drill_case(base::ConfigFile& file);
 DrillCase read_drill_case(const std::filesystem::path& path);
 
+/// The case back from `resolved_toml`, long after: the files it names need not be there any more, so `bit` stays empty
+/// and the case cannot be run. `name` is for messages.
+DrillCase recorded_drill_case(std::string_view text, const std::string& name);
+
 /// The case with every value, as a file.
 std::string resolved_toml(const DrillCase& drill);
 
@@ -83,5 +88,14 @@ void require_stable(const DrillCase& drill, const DrillString& string);
 
 /// The rock's spring as the linear chains feel it.
 BitSupport axial_support(const DrillString& string);
+
+struct DrillModes {
+  std::vector<double> axial;             ///< [Hz] bit on the rock's spring; empty without an axial chain
+  std::vector<double> axial_off_bottom;  ///< [Hz] bit free: the first is 0; empty without an axial chain
+  std::vector<double> torsional;         ///< [Hz] bit free, drive held still
+};
+
+/// Natural frequencies of the whole string.
+DrillModes drill_modes(const DrillString& string);
 
 }  // namespace runtime

@@ -1,5 +1,12 @@
 #include "runtime/drillstring/drill_file.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
@@ -9,21 +16,136 @@ namespace runtime {
 namespace {
 
 constexpr const char* format_name = "bitrock-drill";
-constexpr long long format_version = 1;
+constexpr long long format_version = 2;  // 2: the whole summary, and the natural frequencies
 
-void write_series(base::Hdf5Writer& file, const DrillSeries& s) {
-  file.array("/series/time_s", s.time_s, "s", "instant of the sample");
-  file.array("/series/bit_rotation_rad_per_s", s.bit_rotation_rad_per_s, "rad/s", "of the bit");
-  file.array("/series/table_rotation_rad_per_s", s.table_rotation_rad_per_s, "rad/s", "of the top drive");
-  file.array("/series/weight_on_bit_N", s.weight_on_bit_N, "N", "of the rock's spring and damper");
-  file.array("/series/source_force_N", s.source_force_N, "N", "axial force of the source on the bit, upwards");
-  file.array("/series/rop_m_per_s", s.rop_m_per_s, "m/s", "rate of penetration: speed of the rock face");
-  file.array("/series/torque_on_bit_N_m", s.torque_on_bit_N_m, "N m", "friction and fracture, against rotation");
-  file.array("/series/fracture_torque_N_m", s.fracture_torque_N_m, "N m", "part of the torque on the bit");
-  file.array("/series/drive_torque_N_m", s.drive_torque_N_m, "N m", "of the top drive on the string");
-  file.array("/series/bit_depth_m", s.bit_depth_m, "m", "below the rock face of the beginning");
-  file.array("/series/face_depth_m", s.face_depth_m, "m", "of the rock face");
-  file.array("/series/progression_angle_rad", s.progression_angle_rad, "rad", "turned forward while cutting");
+/// One list drives writing and reading.
+struct SeriesEntry {
+  const char* path;
+  std::vector<double> DrillSeries::*values;
+  const char *units, *meaning;
+};
+constexpr std::array<SeriesEntry, 12> series_entries{
+    {{"/series/time_s", &DrillSeries::time_s, "s", "instant of the sample"},
+     {"/series/bit_rotation_rad_per_s", &DrillSeries::bit_rotation_rad_per_s, "rad/s", "of the bit"},
+     {"/series/table_rotation_rad_per_s", &DrillSeries::table_rotation_rad_per_s, "rad/s", "of the top drive"},
+     {"/series/weight_on_bit_N", &DrillSeries::weight_on_bit_N, "N", "of the rock's spring and damper"},
+     {"/series/source_force_N", &DrillSeries::source_force_N, "N", "axial force of the source on the bit, upwards"},
+     {"/series/rop_m_per_s", &DrillSeries::rop_m_per_s, "m/s", "rate of penetration: speed of the rock face"},
+     {"/series/torque_on_bit_N_m", &DrillSeries::torque_on_bit_N_m, "N m", "friction and fracture, against rotation"},
+     {"/series/fracture_torque_N_m", &DrillSeries::fracture_torque_N_m, "N m", "part of the torque on the bit"},
+     {"/series/drive_torque_N_m", &DrillSeries::drive_torque_N_m, "N m", "of the top drive on the string"},
+     {"/series/bit_depth_m", &DrillSeries::bit_depth_m, "m", "below the rock face of the beginning"},
+     {"/series/face_depth_m", &DrillSeries::face_depth_m, "m", "of the rock face"},
+     {"/series/progression_angle_rad", &DrillSeries::progression_angle_rad, "rad", "turned forward while cutting"}}};
+
+struct SpreadEntry {
+  const char* path;
+  Spread DrillSummary::*spread;
+  const char* units;
+};
+constexpr std::array<SpreadEntry, 7> spread_entries{
+    {{"/summary/bit_rotation_rad_per_s", &DrillSummary::bit_rotation, "rad/s"},
+     {"/summary/weight_on_bit_N", &DrillSummary::weight_on_bit, "N"},
+     {"/summary/total_force_N", &DrillSummary::total_force, "N"},
+     {"/summary/torque_on_bit_N_m", &DrillSummary::torque, "N m"},
+     {"/summary/source_force_N", &DrillSummary::source_force, "N"},
+     {"/summary/source_torque_N_m", &DrillSummary::source_torque, "N m"},
+     {"/summary/rop_m_per_s", &DrillSummary::rop, "m/s"}}};
+
+struct NumberEntry {
+  const char* name;
+  double DrillSummary::*value;
+};
+constexpr std::array<NumberEntry, 7> number_entries{{{"static_weight_on_bit_N", &DrillSummary::static_weight_on_bit},
+                                                     {"severity", &DrillSummary::severity},
+                                                     {"share_at_rest", &DrillSummary::share_at_rest},
+                                                     {"share_backwards", &DrillSummary::share_backwards},
+                                                     {"share_off_bottom", &DrillSummary::share_off_bottom},
+                                                     {"drilled_m", &DrillSummary::drilled},
+                                                     {"energy_residual_fraction", &DrillSummary::energy_residual}}};
+
+struct ModesEntry {
+  const char* path;
+  std::vector<double> DrillModes::*frequencies;
+  const char* meaning;
+};
+constexpr std::array<ModesEntry, 3> modes_entries{
+    {{"/modes/axial_Hz", &DrillModes::axial, "natural frequencies, bit on the rock's spring"},
+     {"/modes/axial_off_bottom_Hz", &DrillModes::axial_off_bottom, "natural frequencies, bit free"},
+     {"/modes/torsional_Hz", &DrillModes::torsional, "natural frequencies, bit free"}}};
+
+// Counts up to the steps of a long run times the cutters of a bit: more than an int holds, exact in a double.
+constexpr std::array<std::int64_t ClampTally::*, 7> clamp_counts{
+    &ClampTally::asked,       &ClampTally::speed_below, &ClampTally::speed_above, &ClampTally::depth_below,
+    &ClampTally::depth_above, &ClampTally::rake_below,  &ClampTally::rake_above};
+constexpr std::array<std::int64_t DrawTally::*, 5> draw_counts{
+    &DrawTally::drawn, &DrawTally::mean_missed, &DrawTally::band_left, &DrawTally::narrowed, &DrawTally::capped};
+constexpr const char *clamps_path = "/summary/questions", *draws_path = "/summary/windows";
+
+template <class Tally, std::size_t n>
+std::vector<double> as_doubles(const Tally& tally, const std::array<std::int64_t Tally::*, n>& counts) {
+  std::vector<double> values;
+  for (const auto count : counts) values.push_back(static_cast<double>(tally.*count));
+  return values;
+}
+
+void write_summary(base::Hdf5Writer& file, const DrillSummary& summary) {
+  for (const SpreadEntry& entry : spread_entries) {
+    const Spread& spread = summary.*entry.spread;
+    file.array(entry.path, std::array{spread.mean, spread.deviation, spread.lowest, spread.highest}, entry.units,
+               "mean, standard deviation, lowest, highest over all steps after settling");
+  }
+  for (const NumberEntry& entry : number_entries) file.attribute(entry.name, summary.*entry.value);
+  file.array(clamps_path, as_doubles(summary.clamps, clamp_counts), "1",
+             "to the networks: asked; outside their range: speed below, above, depth below, above, rake below, above");
+  file.array(draws_path, as_doubles(summary.draws, draw_counts), "1",
+             "of the cutters: drawn, mean missed, band left, narrowed, capped");
+}
+
+/// An array that must have `count` entries, all finite.
+std::vector<double> finite_array(const base::Hdf5Reader& file, const std::string& path, std::size_t count) {
+  std::vector<double> values = file.doubles(path);
+  if (values.size() != count)
+    throw base::InputError(fmt::format("{}: {} has {} values (must have {})", file.name(), path, values.size(), count));
+  const auto bad = std::find_if_not(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  if (bad != values.end())
+    throw base::InputError(
+        fmt::format("{}: {}[{}] = {} (must be finite)", file.name(), path, bad - values.begin(), *bad));
+  return values;
+}
+
+DrillSeries read_series(const base::Hdf5Reader& file) {
+  DrillSeries series;
+  const std::size_t count = file.doubles(series_entries.front().path).size();
+  for (const SeriesEntry& entry : series_entries) series.*entry.values = finite_array(file, entry.path, count);
+  const std::vector<double>& time = series.time_s;
+  if (time.size() < 2)
+    throw base::InputError(fmt::format("{}: {} samples (a run has at least 2)", file.name(), time.size()));
+  const auto stuck = std::adjacent_find(time.begin(), time.end(), [](double a, double b) { return !(a < b); });
+  if (stuck != time.end())
+    throw base::InputError(
+        fmt::format("{}: /series/time_s goes from {} to {} s (must go up)", file.name(), *stuck, *std::next(stuck)));
+  return series;
+}
+
+template <class Tally, std::size_t n>
+Tally read_tally(const base::Hdf5Reader& file, const char* path, const std::array<std::int64_t Tally::*, n>& counts) {
+  const std::vector<double> values = finite_array(file, path, n);
+  Tally tally;
+  for (std::size_t i = 0; i < n; ++i) tally.*counts[i] = static_cast<std::int64_t>(values[i]);
+  return tally;
+}
+
+DrillSummary read_summary(const base::Hdf5Reader& file) {
+  DrillSummary summary;
+  for (const SpreadEntry& entry : spread_entries) {
+    const std::vector<double> values = finite_array(file, entry.path, 4);
+    summary.*entry.spread = {values[0], values[1], values[2], values[3]};
+  }
+  for (const NumberEntry& entry : number_entries) summary.*entry.value = file.number_attribute(entry.name);
+  summary.clamps = read_tally(file, clamps_path, clamp_counts);
+  summary.draws = read_tally(file, draws_path, draw_counts);
+  return summary;
 }
 
 }  // namespace
@@ -41,18 +163,32 @@ void write_drill_run(const DrillRun& run, const DrillCase& drill, const std::str
   file.attribute("model_fingerprint", model);
   file.attribute("step_s", run.step);
   file.attribute("steps", run.steps);
-  const DrillSummary& summary = run.summary;
-  file.attribute("static_weight_on_bit_N", summary.static_weight_on_bit);
-  file.attribute("severity", summary.severity);
-  file.attribute("share_at_rest", summary.share_at_rest);
-  file.attribute("share_backwards", summary.share_backwards);
-  file.attribute("share_off_bottom", summary.share_off_bottom);
-  file.attribute("energy_residual_fraction", summary.energy_residual);
-  file.attribute("clamped", static_cast<long long>(summary.clamps.clamped()));
   file.attribute("wall_s", run.wall_time);
-  write_series(file, run.series);
+  for (const SeriesEntry& entry : series_entries)
+    file.array(entry.path, run.series.*entry.values, entry.units, entry.meaning);
+  write_summary(file, run.summary);
+  const DrillModes modes = drill_modes(assemble(drill));
+  for (const ModesEntry& entry : modes_entries) file.array(entry.path, modes.*entry.frequencies, "Hz", entry.meaning);
   file.attribute("status", "complete");
   file.save(path);
+}
+
+DrillFile read_drill_run(const std::filesystem::path& path) {
+  const base::Hdf5Reader file(path);
+  file.require_format(format_name, format_version);
+  if (file.text_attribute("status") != "complete")
+    throw base::InputError(fmt::format("{}: the run is not complete", file.name()));
+  DrillFile result;
+  result.drill = recorded_drill_case(file.text_attribute("config_toml"), file.name() + " (config_toml)");
+  result.model = file.text_attribute("model_fingerprint");
+  result.run = {.series = read_series(file),
+                .summary = read_summary(file),
+                .step = file.number_attribute("step_s"),
+                .steps = static_cast<long long>(file.number_attribute("steps")),
+                .wall_time = file.number_attribute("wall_s")};
+  for (const ModesEntry& entry : modes_entries)
+    result.modes.*entry.frequencies = finite_array(file, entry.path, file.doubles(entry.path).size());
+  return result;
 }
 
 }  // namespace runtime

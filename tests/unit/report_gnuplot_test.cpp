@@ -68,7 +68,7 @@ TEST(GnuplotFigure, TheScriptNamesFilesLabelsAndRanges) {
   const std::string png = gnuplot_files(example(), PictureFormat::png).script;
   EXPECT_TRUE(holds(png, "data = 'every_style.csv'"));
   EXPECT_TRUE(holds(png, "if (!exists('picture')) picture = 'every_style.png'"));
-  EXPECT_TRUE(holds(png, "set title 'it''s \"all\"'"));
+  EXPECT_TRUE(holds(png, "set label 'it''s \"all\"'"));
   EXPECT_TRUE(holds(png, "set xlabel 'x [mm]'"));
   EXPECT_TRUE(holds(png, "set yrange [0.1:10]"));
   EXPECT_TRUE(holds(png, "set logscale y"));
@@ -128,6 +128,56 @@ TEST(GnuplotFigure, GnuplotDrawsItWithoutAWarning) {
     const std::string picture = base::read_whole(folder / (std::string("every_style.") + report::ending(format)));
     EXPECT_EQ(picture.substr(format == PictureFormat::png ? 1 : 0, 3), format == PictureFormat::png ? "PNG" : "%PD");
   }
+}
+
+TEST(GnuplotFigure, PanelsHaveTheWidthThatIsAskedFor) {
+  Figure figure = example();
+  figure.panel_width_px = 480.0;
+  EXPECT_TRUE(holds(gnuplot_files(figure, PictureFormat::png).script, "pngcairo noenhanced size 960,"));
+  figure.panel_width_px = 60.0;
+  EXPECT_THROW(gnuplot_files(figure, PictureFormat::png), base::InputError);
+}
+
+TEST(GnuplotFigure, ALegendOfAPanelStandsOverItWhereItFits) {
+  Figure figure = example();
+  EXPECT_TRUE(holds(gnuplot_files(figure, PictureFormat::png).script, "set label 'columns' at graph 0, graph 1 left"));
+  EXPECT_TRUE(holds(gnuplot_files(figure, PictureFormat::png).script, "set key top right inside"));
+  figure.panel_width_px = 800.0;
+  EXPECT_FALSE(holds(gnuplot_files(figure, PictureFormat::png).script, "set key top right inside"));
+}
+
+TEST(GnuplotFigure, LogarithmicAxesAreLabelledInDecades) {
+  Figure figure{.name = "log",
+                .caption = "",
+                .plots = {{.title = "t",
+                           .x_label = "x",
+                           .y_label = "y",
+                           .log_x = true,
+                           .log_y = true,
+                           .x_range = report::AxisRange{0.2, 250.0},
+                           .y_range = report::AxisRange{1e-10, 1e2}}}};
+  const std::string script = gnuplot_files(figure, PictureFormat::png).script;
+  EXPECT_TRUE(holds(script, "set xtics ('1' 1e0, '10' 1e1, '100' 1e2)")) << script;
+  EXPECT_TRUE(holds(script,
+                    "set ytics ('10\u207b\u00b9\u2070' 1e-10, '10\u207b\u2078' 1e-8, '10\u207b\u2076' 1e-6, "
+                    "'10\u207b\u2074' 1e-4, '0.01' 1e-2, '1' 1e0, '100' 1e2)"))
+      << script;
+  figure.plots[0].x_range = report::AxisRange{2.0, 5.0};  // no whole decade in it
+  EXPECT_TRUE(holds(gnuplot_files(figure, PictureFormat::png).script, "set xtics autofreq"));
+}
+
+TEST(GnuplotFigure, ADenseSignalHasAThinPen) {
+  const std::vector<double> many(2000, 1.0);
+  const Figure figure{
+      .name = "dense",
+      .caption = "",
+      .plots = {{.title = "t",
+                 .x_label = "x",
+                 .y_label = "y",
+                 .series = {{.name = "many", .x = many, .y = many}, {.name = "few", .x = {1}, .y = {1}}}}}};
+  const std::string script = gnuplot_files(figure, PictureFormat::png).script;
+  EXPECT_TRUE(holds(script, "with lines lw 0.8"));
+  EXPECT_TRUE(holds(script, "with lines lw 1.8"));
 }
 
 }  // namespace

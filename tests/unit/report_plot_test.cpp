@@ -9,9 +9,9 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "base/thin.hpp"
 #include "report/figure_json.hpp"
 #include "report/legend.hpp"
-#include "base/thin.hpp"
 
 namespace {
 
@@ -216,6 +216,28 @@ TEST(Legend, OneNameNeedsNoneAndButtonsPointAtTheirSeries) {
   EXPECT_NE(html.find("data-series=\"2\""), std::string::npos);
   EXPECT_NE(html.find("data-band=\"0\""), std::string::npos);
   EXPECT_NE(html.find("&lt;peaks&gt;"), std::string::npos);
+}
+
+TEST(Plot, SharedYAxisHoldsAllDataWithAir) {
+  std::vector<report::Plot> plots{
+      {.title = "a", .x_label = "x", .y_label = "y", .series = {{.name = "", .x = {0, 1}, .y = {-2.0, 3.0}}}},
+      {.title = "b", .x_label = "x", .y_label = "y", .series = {{.name = "", .x = {0, 1}, .y = {NAN, 8.0}}}}};
+  report::share_y_axis(plots);
+  for (const report::Plot& plot : plots) {
+    EXPECT_DOUBLE_EQ(plot.y_range->low, -2.5);
+    EXPECT_DOUBLE_EQ(plot.y_range->high, 8.5);
+    EXPECT_FALSE(plot.x_range.has_value());
+  }
+  report::share_x_axis(plots);
+  EXPECT_DOUBLE_EQ(plots[1].x_range->low, -0.05);
+  std::vector<report::Plot> flat{
+      {.title = "c", .x_label = "x", .y_label = "y", .series = {{.name = "", .x = {0, 1}, .y = {0.0, 0.0}}}}};
+  report::share_y_axis(flat);
+  report::check(flat[0]);  // a range that goes upwards
+  EXPECT_LT(flat[0].y_range->low, 0.0);
+  std::vector<report::Plot> empty{{.title = "d", .x_label = "x", .y_label = "y"}};
+  report::share_y_axis(empty);
+  EXPECT_FALSE(empty[0].y_range.has_value());
 }
 
 }  // namespace

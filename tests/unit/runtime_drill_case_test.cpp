@@ -5,11 +5,8 @@
 #include <string>
 
 #include "base/errors.hpp"
-#include "base/hdf5_file.hpp"
-#include "runtime/drillstring/drill_file.hpp"
 #include "runtime/drillstring/drill_run.hpp"
 #include "tests/allocations.hpp"
-#include "tests/scratch.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
 namespace {
@@ -258,20 +255,6 @@ TEST(DrillRun, AStepTakesNoMemory) {
   const long before = allocations::so_far();
   for (int i = 0; i < 1000; ++i) runtime::advance(string, state, source, 1e-4);
   EXPECT_EQ(allocations::so_far(), before);
-}
-
-TEST(DrillFile, HoldsTheSeriesWithUnitsAndTheCase) {
-  const scratch::Folder folder("drill_file");
-  const runtime::DrillCase drill = read(pipes);
-  const runtime::DrillRun run = ran(drill);
-  const auto path = folder / "run.h5";
-  runtime::write_drill_run(run, drill, "", path);
-  const base::Hdf5Reader file(path);
-  file.require_format("bitrock-drill", 1);
-  EXPECT_EQ(file.doubles("/series/time_s"), run.series.time_s);
-  EXPECT_EQ(file.doubles("/series/weight_on_bit_N"), run.series.weight_on_bit_N);
-  EXPECT_EQ(file.text_attribute("config_toml"), runtime::resolved_toml(drill));
-  EXPECT_EQ(file.text_attribute("status"), "complete");
 }
 
 }  // namespace
