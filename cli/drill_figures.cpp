@@ -23,15 +23,13 @@ constexpr double rpm = 2.0 * std::numbers::pi / 60.0, kN = 1e3, m_per_h = 1.0 / 
 constexpr std::size_t points_of_a_line = 5000;
 // The end of a run is shown again, stretched, so that single vibrations can be seen; on the sheet of one run, some
 // more of them [s].
-constexpr double closer_look_s = 2.0, sheet_look_s = 5.0;
-// An orbit has no envelope, so it is drawn whole, of the last so many samples.
-constexpr std::size_t points_of_an_orbit = 5000;
+constexpr double closer_look_s = 2.0, sheet_look_s = 3.0;
 // Sizes of panels [px].
-constexpr double panel_px = 520.0, time_px = 280.0, spectrum_px = 300.0, orbit_px = 380.0;
+constexpr double panel_px = 480.0, time_px = 280.0, spectrum_px = 300.0, orbit_px = 380.0;
 
 using SeriesMember = std::vector<double> runtime::DrillSeries::*;
 
-/// What is drawn over time: one quantity, and another beside it, the smoother one on top.
+/// What is drawn over time: one quantity, and another beside it.
 struct Quantity {
   const char *title, *y_label;
   double unit;
@@ -39,7 +37,7 @@ struct Quantity {
   const char* name;
   SeriesMember beside = nullptr;
   const char* beside_name = "";
-  bool beside_on_top = true;
+  bool beside_on_top = true;  ///< also over the whole run
 };
 
 constexpr Quantity weight{"Weight on bit", "WOB [kN]", kN, &runtime::DrillSeries::weight_on_bit_N, ""};
@@ -48,10 +46,10 @@ constexpr Quantity speed{"Speed", "speed [rpm]",
                          rpm,     &runtime::DrillSeries::bit_rotation_rad_per_s,
                          "bit",   &runtime::DrillSeries::table_rotation_rad_per_s,
                          "table"};
-constexpr Quantity torque{"Torque",   "torque [N m]",
-                          1.0,        &runtime::DrillSeries::torque_on_bit_N_m,
-                          "on bit",   &runtime::DrillSeries::drive_torque_N_m,
-                          "of drive", false};
+constexpr Quantity torque{"Torque", "torque [N m]",
+                          1.0,      &runtime::DrillSeries::torque_on_bit_N_m,
+                          "bit",    &runtime::DrillSeries::drive_torque_N_m,
+                          "drive",  false};
 
 std::vector<double> in_unit(const std::vector<double>& values, double unit, std::size_t first = 0) {
   std::vector<double> shown;
@@ -87,9 +85,11 @@ report::Plot time_plot(const std::vector<ShownRun>& runs, std::size_t run, const
   plot.series.back().colour = colour_of(run);
   if (quantity.beside != nullptr) {
     report::Series beside = over_time(series, quantity.beside, quantity.unit, first);
+    // Under, where it swings so often that it would hide the other.
+    const bool on_top = quantity.beside_on_top || first > 0;
     beside.name = quantity.beside_name;
-    beside.colour = quantity.beside_on_top ? report::Colour::black : report::Colour::grey;
-    plot.series.insert(quantity.beside_on_top ? plot.series.end() : plot.series.begin(), std::move(beside));
+    beside.colour = on_top ? report::Colour::black : report::Colour::grey;
+    plot.series.insert(on_top ? plot.series.end() : plot.series.begin(), std::move(beside));
   }
   plot.x_range = report::AxisRange{series.time_s[first], series.time_s.back()};
   return plot;
@@ -133,7 +133,7 @@ constexpr SpectrumOf weight_spectrum{"Spectrum of weight on bit", "density [kN\u
 report::Plot spectrum_plot(const std::vector<ShownRun>& runs, const SpectrumOf& what) {
   std::vector<report::SpectrumLine> lines;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    lines.push_back({.name = runs.size() > 1 ? runs[k].label : "run",
+    lines.push_back({.name = runs.size() > 1 ? runs[k].label : "",
                      .colour = colour_of(k),
                      .spectrum = runs[k].*what.spectrum,
                      .marks = runs[k].file.modes.*what.modes});
@@ -142,7 +142,8 @@ report::Plot spectrum_plot(const std::vector<ShownRun>& runs, const SpectrumOf& 
   for (const report::SpectrumLine& line : lines) {
     const double frequency = base::strongest_frequency(line.spectrum);
     if (frequency > 0.0)
-      highest += fmt::format("{}{} at {:.3g} Hz", highest.empty() ? "Highest: " : ", ", line.name, frequency);
+      highest += fmt::format("{}{}{:.3g} Hz", highest.empty() ? "Highest: " : ", ",
+                             line.name.empty() ? "" : line.name + " at ", frequency);
   }
   report::Plot plot = report::spectrum_plot(what.title, what.y_label, "natural frequencies", lines);
   plot.caption = highest.empty() ? "No vibration." : highest + ".";
@@ -152,8 +153,7 @@ report::Plot spectrum_plot(const std::vector<ShownRun>& runs, const SpectrumOf& 
 
 report::Plot orbit_plot(const std::vector<ShownRun>& runs, std::size_t run) {
   const runtime::DrillSeries& series = runs[run].file.run.series;
-  const std::size_t settled = first_settled(runs[run].file), count = series.time_s.size();
-  const std::size_t first = std::max(settled, count - std::min(count, points_of_an_orbit));
+  const std::size_t first = first_of_last(series, closer_look_s);
   report::Plot plot{.title = runs.size() > 1 ? "Orbit, " + runs[run].label : "Orbit of bit speed and torque",
                     .x_label = "bit speed [rpm]",
                     .y_label = "torque on bit [N m]",

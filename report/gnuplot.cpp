@@ -31,6 +31,7 @@ std::string field(const std::string& text) {
 }
 
 /// The names by which the script finds its rows: a title or a series' name when no other has the same, or a number.
+/// gnuplot takes a comma for the end of a column, also between quotes, and would find nothing.
 template <class Item, class NameOf>
 std::vector<std::string> keys_of(const std::vector<Item>& items, const NameOf& name_of, const char* otherwise) {
   std::vector<std::string> keys;
@@ -39,6 +40,7 @@ std::vector<std::string> keys_of(const std::vector<Item>& items, const NameOf& n
     const auto same = [&](const Item& item) { return name_of(item) == name; };
     const bool alone = std::count_if(items.begin(), items.end(), same) == 1;
     keys.push_back(alone && !name.empty() ? in_table(name) : fmt::format("{} {}", otherwise, i + 1));
+    std::replace(keys.back().begin(), keys.back().end(), ',', ';');
   }
   return keys;
 }
@@ -98,20 +100,21 @@ double marker_size(const Series& series) {
 }
 
 /// A dense signal in a heavy pen is a black bar.
+constexpr double heavy_pen = 1.8;
 double pen(const Series& series) {
   constexpr std::size_t dense = 1000;
-  return series.x.size() > dense ? 0.8 : 1.8;
+  return series.x.size() > dense ? 0.8 : heavy_pen;
 }
 
 /// How a series is drawn; its own columns beyond x and y are 5 (error_x), 6 (error_y) and 7 (upper edge).
-std::string style(const Series& series, const std::string& colour) {
+std::string style(const Series& series, const std::string& colour, double line_width) {
   const std::string marker =
       fmt::format("pt {} ps {} lc rgb '{}'", point_type(series.marker), marker_size(series), colour);
   switch (series.style) {
     case Style::line:
-      return fmt::format("with lines lw {} lc rgb '{}'", pen(series), colour);
+      return fmt::format("with lines lw {} lc rgb '{}'", line_width, colour);
     case Style::dashed:
-      return fmt::format("with lines lw {} dt (9,5) lc rgb '{}'", pen(series), colour);
+      return fmt::format("with lines lw {} dt (9,5) lc rgb '{}'", line_width, colour);
     case Style::line_and_markers:
       return "with linespoints " + marker;
     case Style::band:
@@ -139,7 +142,7 @@ std::vector<std::string> legend_entries(const Plot& plot) {
     const Series& series = plot.series[i];
     if (series.name.empty()) continue;
     entries.push_back(
-        fmt::format("keyentry {} {}", style(series, colour_code(series.colour, i)), title_of(series.name)));
+        fmt::format("keyentry {} {}", style(series, colour_code(series.colour, i), heavy_pen), title_of(series.name)));
   }
   for (std::size_t i = 0; i < plot.bands.size(); ++i) {
     if (plot.bands[i].name.empty()) continue;
@@ -167,8 +170,8 @@ std::string plot_command(const Plot& plot, const std::string& panel, bool with_l
     const std::string pale = fmt::format("lw 1 lc rgb '#90{}' notitle", colour.substr(1));
     if (!series.error_x.empty()) errors.push_back(fmt::format("{}:5 with xerrorbars pt -1 {}", rows, pale));
     if (!series.error_y.empty()) errors.push_back(fmt::format("{}:6 with yerrorbars pt -1 {}", rows, pale));
-    const std::string drawn =
-        fmt::format("{}{} {} notitle", rows, series.style == Style::band ? ":7" : "", style(series, colour));
+    const std::string drawn = fmt::format("{}{} {} notitle", rows, series.style == Style::band ? ":7" : "",
+                                          style(series, colour, pen(series)));
     (has_markers(series.style) ? points : parts).push_back(drawn);
   }
   parts.insert(parts.end(), errors.begin(), errors.end());
@@ -191,10 +194,9 @@ double label_step(const AxisRange& range) {
   return 10.0 * power;
 }
 
-/// 10 to the power of `exponent` as people write it: 0.01, 1, 100, but 10\u207b\u2075 where zeros would have to be
-/// counted.
-std::string power_of_ten(int exponent) {
-  if (std::abs(exponent) <= 3) return fmt::format("{:g}", std::pow(10.0, exponent));
+/// 10 to the power of `exponent`, written out or as a power.
+std::string power_of_ten(int exponent, bool written_out) {
+  if (written_out || exponent == 0 || exponent == 1) return fmt::format("{:g}", std::pow(10.0, exponent));
   constexpr const char* digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                     "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = exponent < 0 ? "10\u207b" : "10";
@@ -202,14 +204,15 @@ std::string power_of_ten(int exponent) {
   return text;
 }
 
-/// Labels of a logarithmic axis: whole decades, at most seven of them.
+/// Labels of a logarithmic axis: whole decades, at most seven of them; powers where zeros would have to be counted.
 std::string decades(char name, const AxisRange& range) {
   const int first = static_cast<int>(std::ceil(std::log10(range.low) - 1e-9));
   const int last = static_cast<int>(std::floor(std::log10(range.high) + 1e-9));
   const int step = std::max(1, (last - first + 6) / 7);
+  const bool written_out = first >= -3 && last <= 3;
   std::vector<std::string> labels;
   for (int exponent = first; exponent <= last; exponent += step)
-    labels.push_back(fmt::format("'{}' 1e{}", power_of_ten(exponent), exponent));
+    labels.push_back(fmt::format("'{}' 1e{}", power_of_ten(exponent, written_out), exponent));
   return labels.empty() ? fmt::format("set {}tics autofreq\n", name)
                         : fmt::format("set {}tics ({})\n", name, fmt::join(labels, ", "));
 }
@@ -267,14 +270,16 @@ std::string place(double from_left, double from_right, double from_below, double
 /// Of a panel with a legend of its own: the legend stands at the right of the title, over the panel, so that it hides
 /// nothing; where both do not fit, inside, on white.
 std::string title_and_key(const Plot& plot, double panel_width) {
-  constexpr double letter = 7.0, sample = 44.0;  // [px] of 10 pt
-  double width = letter * static_cast<double>(plot.title.size());
-  for (const Series& series : plot.series) {
-    if (!series.name.empty()) width += letter * static_cast<double>(series.name.size()) + sample;
-  }
-  for (const HorizontalBand& band : plot.bands) {
-    if (!band.name.empty()) width += letter * static_cast<double>(band.name.size()) + sample;
-  }
+  constexpr double letter = 7.0, sample = 46.0;  // [px] of 10 pt; all entries are as wide as the longest
+  std::size_t entries = 0, longest = 0;
+  const auto count = [&](const std::string& name) {
+    entries += name.empty() ? 0 : 1;
+    longest = std::max(longest, name.size());
+  };
+  for (const Series& series : plot.series) count(series.name);
+  for (const HorizontalBand& band : plot.bands) count(band.name);
+  const double width = letter * static_cast<double>(plot.title.size()) +
+                       static_cast<double>(entries) * (letter * static_cast<double>(longest) + sample);
   const bool fits = width < panel_width - left - right;
   return fmt::format(
       "unset title\nset label {} at graph 0, graph 1 left offset 0,0.9\nset key {}\n", quoted(plot.title),

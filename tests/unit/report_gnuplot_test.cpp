@@ -160,7 +160,7 @@ TEST(GnuplotFigure, LogarithmicAxesAreLabelledInDecades) {
   EXPECT_TRUE(holds(script, "set xtics ('1' 1e0, '10' 1e1, '100' 1e2)")) << script;
   EXPECT_TRUE(holds(script,
                     "set ytics ('10\u207b\u00b9\u2070' 1e-10, '10\u207b\u2078' 1e-8, '10\u207b\u2076' 1e-6, "
-                    "'10\u207b\u2074' 1e-4, '0.01' 1e-2, '1' 1e0, '100' 1e2)"))
+                    "'10\u207b\u2074' 1e-4, '10\u207b\u00b2' 1e-2, '1' 1e0, '10\u00b2' 1e2)"))
       << script;
   figure.plots[0].x_range = report::AxisRange{2.0, 5.0};  // no whole decade in it
   EXPECT_TRUE(holds(gnuplot_files(figure, PictureFormat::png).script, "set xtics autofreq"));
@@ -178,6 +178,33 @@ TEST(GnuplotFigure, ADenseSignalHasAThinPen) {
   const std::string script = gnuplot_files(figure, PictureFormat::png).script;
   EXPECT_TRUE(holds(script, "with lines lw 0.8"));
   EXPECT_TRUE(holds(script, "with lines lw 1.8"));
+}
+
+/// A name with a comma once gave a picture of empty axes.
+TEST(GnuplotFigure, GnuplotFindsTheRowsOfNamesWithCommas) {
+  if (!base::is_installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  const Figure figure{.name = "commas",
+                      .caption = "",
+                      .plots = {{.title = "speed, noise",
+                                 .x_label = "x",
+                                 .y_label = "y",
+                                 .series = {{.name = "bit, new", .x = {1, 2, 3}, .y = {4, 5, 6}},
+                                            {.name = "table", .x = {1}, .y = {9}}}}}};
+  const scratch::Folder folder("gnuplot_commas");
+  const GnuplotFiles files = gnuplot_files(figure, PictureFormat::png);
+  base::write_whole(folder / "commas.csv", files.table);
+  const std::size_t begin = files.script.find("row('speed"), end = files.script.find(')', begin);
+  ASSERT_NE(begin, std::string::npos);
+  const std::string row = files.script.substr(begin, end + 1 - begin);
+  const std::size_t law = files.script.find("row(panel, series)");
+  base::write_whole(folder / "count.gp", "set datafile separator comma\n" +
+                                             files.script.substr(law, files.script.find('\n', law) - law) +
+                                             "\nstats '" + (folder / "commas.csv").string() + "' using (" + row +
+                                             " ? $4 : NaN) nooutput\nprint STATS_records, STATS_sum\n");
+  const base::ProgramEnd counted = base::run_program({"gnuplot", (folder / "count.gp").string()});
+  EXPECT_EQ(counted.status, 0) << counted.output;
+  EXPECT_TRUE(holds(counted.output, "3")) << counted.output;
+  EXPECT_TRUE(holds(counted.output, "15.0")) << counted.output;
 }
 
 }  // namespace
