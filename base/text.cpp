@@ -41,12 +41,6 @@ std::string nearest_name(std::string_view name, std::span<const std::string> can
   return best;
 }
 
-std::uint64_t fingerprint(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-  return hash;
-}
-
 std::string fingerprint_text(std::string_view bytes) {
   return fmt::format("{:016x}", fingerprint(bytes));
 }

@@ -12,7 +12,11 @@ namespace base {
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
 
 /// FNV-1a, 64 bit [Fowler1991]: tells two texts or files apart; no protection against forgery.
-std::uint64_t fingerprint(std::string_view bytes);
+constexpr std::uint64_t fingerprint(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
+  return hash;
+}
 
 /// The fingerprint as 16 hexadecimal digits.
 std::string fingerprint_text(std::string_view bytes);

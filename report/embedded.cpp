@@ -1,22 +1,8 @@
 #include "report/embedded.hpp"
 
-// The assembler copies a file as it is, in no time; the same bytes as a C++ array would take the compiler seconds.
-// CMakeLists.txt names the files and rebuilds this one when they change.
-#define BITROCK_EMBED(symbol, file)                            \
-  asm(".pushsection .rodata\n"                                 \
-      ".global bitrock_" #symbol                               \
-      "_begin\n"                                               \
-      ".global bitrock_" #symbol                               \
-      "_end\n"                                                 \
-      "bitrock_" #symbol "_begin:\n.incbin \"" file            \
-      "\"\n"                                                   \
-      "bitrock_" #symbol "_end:\n.byte 0\n.popsection\n");     \
-  extern "C" const char bitrock_##symbol##_begin[];            \
-  extern "C" const char bitrock_##symbol##_end[];              \
-  static std::string_view symbol##_bytes() {                   \
-    return {bitrock_##symbol##_begin, bitrock_##symbol##_end}; \
-  }
+#include "base/embed.hpp"
 
+// CMakeLists.txt names the files and rebuilds this one when they change.
 BITROCK_EMBED(page_style, BITROCK_PAGE_STYLE)
 BITROCK_EMBED(page_script, BITROCK_PAGE_SCRIPT)
 #ifdef BITROCK_PLOTLY_SCRIPT
