@@ -81,5 +81,6 @@ void add_animate(CLI::App& app);
 void add_export(CLI::App& app);
 /// `export c`, `export matlab` and `export onnx`.
 void add_export_model(CLI::App& export_command);
+void add_export_fmu(CLI::App& export_command);
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 // bitrock export: results in the formats of other programs. `vtk`: the frames of a cut for ParaView. What takes a
-// trained model elsewhere is in export_model.cpp.
+// trained model elsewhere is in export_model.cpp, a whole bit in export_fmu.cpp.
 #include <memory>
 
 #include "base/files.hpp"
@@ -80,6 +80,7 @@ void add_export(CLI::App& app) {
   add_common(*vtk, options->common);
   vtk->callback([options] { export_vtk(*options); });
   add_export_model(*command);
+  add_export_fmu(*command);
 }
 
 }  // namespace cli

@@ -35,7 +35,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(_WIN32)
+/* Who compiles the core into a library of his own defines BITROCK_API as nothing, and shows none of it. */
+#if defined(BITROCK_API)
+#elif defined(_WIN32)
 #define BITROCK_API __declspec(dllexport)
 #elif defined(__GNUC__)
 #define BITROCK_API __attribute__((visibility("default")))

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Fails when libbitrock_runtime.so needs or shows more than it promises: runtime_symbols.sh LIBRARY
-# It must load wherever an FMU, an S-function or a user subroutine loads: nothing of the C++ library, no heap, no files,
-# no printing, glibc 2.31 (Ubuntu 20.04, RHEL 9) or older, only names that begin with bitrock_, no variables.
+# Fails when a library for hosts needs or shows more than it promises: runtime_symbols.sh LIBRARY PREFIX COUNT [ALSO]
+# It must load wherever an FMU, an S-function or a user subroutine loads: nothing of the C++ library, glibc 2.31 (Ubuntu
+# 20.04, RHEL 9) or older, no variables; at least COUNT names, all of which begin with PREFIX. The core has no heap, no
+# files and no printing; what an FMU needs of the C library is ALSO allowed (names with | between them).
 set -euo pipefail
-library=$1
+library=$1 prefix=$2 count=$3 also=${4:-memcpy}
 failed=0
 
 refuse() {
@@ -13,7 +14,7 @@ refuse() {
 }
 
 # What the compiler itself calls, and four functions of libm. The weak ones are those of every shared library.
-allowed='memcpy|memmove|memset|memcmp|exp|expm1|log1p|floor'
+allowed="memcpy|memmove|memset|memcmp|exp|expm1|log1p|floor|$also"
 needed=$(nm -D --undefined-only "$library" | awk '$1 == "U" { sub(/@.*/, "", $2); print $2 }')
 others=$(printf '%s\n' $needed | grep -Ev "^($allowed)$" || true)
 [ -z "$others" ] || refuse "needs" "$others"
@@ -22,9 +23,9 @@ others=$(printf '%s\n' $weak | grep -Ev '^(__cxa_finalize|__gmon_start__|_ITM_(d
 [ -z "$others" ] || refuse "may need" "$others"
 
 shown=$(nm -D --defined-only "$library" | awk '{ print $2, $3 }')
-others=$(printf '%s\n' "$shown" | grep -Ev '^T bitrock_' | tr ' ' ':' || true)
+others=$(printf '%s\n' "$shown" | grep -Ev "^T $prefix" | tr ' ' ':' || true)
 [ -z "$others" ] || refuse "shows" "$others"
-[ "$(printf '%s\n' "$shown" | grep -c '^T bitrock_core_')" -ge 11 ] || refuse "shows too little" "$(printf '%s' "$shown" | tr ' ' ':')"
+[ "$(printf '%s\n' "$shown" | grep -c "^T $prefix")" -ge "$count" ] || refuse "shows too little" "$(printf '%s' "$shown" | tr ' ' ':')"
 
 newest=$(objdump -T "$library" | grep -o 'GLIBC_[0-9.]*' | sed 's/GLIBC_//' | sort -V | tail -1)
 [ "$(printf '%s\n2.31\n' "$newest" | sort -V | tail -1)" = 2.31 ] || refuse "needs glibc" "$newest"

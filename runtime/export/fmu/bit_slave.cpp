@@ -1,0 +1,234 @@
+#include "runtime/export/fmu/bit_slave.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+
+#include "base/text.hpp"
+#include "runtime/core/conditions.hpp"
+#include "runtime/laws/progression_angle.hpp"
+
+namespace fmu {
+
+namespace {
+
+struct Rates {
+  double rotation = 0.0;             ///< [rad/s]
+  double rate_of_penetration = 0.0;  ///< [m/s]
+};
+
+bitrock_description description_with(const Slave& slave, const bitrock_signal& signal) {
+  bitrock_description description = slave.block.description;
+  description.signal = signal;
+  return description;
+}
+
+bool same(const bitrock_signal& a, const bitrock_signal& b) {
+  return std::memcmp(&a, &b, sizeof(a)) == 0;
+}
+static_assert(std::has_unique_object_representations_v<Phase> && sizeof(bitrock_signal) == 5 * 8, "no bytes between");
+
+/// A core in memory of its own; null when there is none to be had.
+bitrock_core* new_core(const Slave& slave, const bitrock_signal& signal, bitrock_status& status) {
+  const bitrock_description description = description_with(slave, signal);
+  std::size_t bytes = 0;
+  status = bitrock_core_size(&description, &bytes);
+  if (status != BITROCK_OK) return nullptr;
+  void* const memory = std::malloc(bytes);  // divisible by 16 on the systems an FMU is built for
+  bitrock_core* core = nullptr;
+  status = memory == nullptr ? BITROCK_BAD_MEMORY : bitrock_core_create(memory, bytes, &description, &core);
+  if (status != BITROCK_OK) std::free(memory);
+  return core;
+}
+
+/// The core as it was made, with the signal of the settings.
+bitrock_status renew_core(Slave& slave) {
+  if (same(slave.core_signal, slave.settings.signal)) return bitrock_core_reset(slave.core);
+  bitrock_status status = BITROCK_OK;
+  bitrock_core* const core = new_core(slave, slave.settings.signal, status);
+  if (core == nullptr) return status;
+  std::free(slave.core);
+  slave.core = core;
+  slave.core_signal = slave.settings.signal;
+  return BITROCK_OK;
+}
+
+/// The averages hold differences from the inputs with which the bit began: of inputs that do not change, these are 0,
+/// and the mean is exact.
+Rates mean_of(const Slave& slave, const Moment& moment) {
+  Rates mean;
+  bitrock_core_averages(slave.core, &mean.rotation, &mean.rate_of_penetration);
+  mean.rotation += moment.first_rotation;
+  mean.rate_of_penetration += moment.first_rate_of_penetration;
+  return mean;
+}
+
+void begin(Slave& slave, Moment& moment) {
+  moment.begun = 1;
+  moment.first_rotation = moment.inputs.rotation;
+  moment.first_rate_of_penetration = moment.inputs.rate_of_penetration;
+  bitrock_core_accept(slave.core, slave.moment.time, 0.0, 0.0);
+}
+
+/// The load at the angle of `moment`.
+bitrock_status find_load(const Slave& slave, Moment& moment) {
+  const Rates mean = mean_of(slave, moment);
+  bitrock_load load{};
+  const bitrock_status status =
+      bitrock_core_update(slave.core, moment.angle, mean.rotation, mean.rate_of_penetration, &load);
+  if (status != BITROCK_OK) return status;
+  const bool on_rock = moment.inputs.weight > 0.0;
+  const double depth = runtime::cut_conditions(0.0, 0.0, mean.rotation, mean.rate_of_penetration).depth_of_cut;
+  moment.torque = on_rock ? load.torque_N_m : 0.0;
+  moment.axial_force = on_rock ? load.axial_force_N : 0.0;
+  moment.depth_of_cut = on_rock && depth > 0.0 ? depth : 0.0;
+  return BITROCK_OK;
+}
+
+/// Turns `moment` to `end` with its inputs; what may fail in the core comes before what changes its averages.
+bitrock_status turn(Slave& slave, Moment& moment, double end) {
+  const Inputs& inputs = moment.inputs;
+  const double speed = runtime::progression(inputs.rotation, inputs.weight, slave.settings.threshold_weight);
+  if (speed != moment.speed) {
+    moment.speed = speed;
+    moment.speed_since = moment.time;
+    moment.angle_since = moment.angle;
+  }
+  moment.angle = moment.angle_since + speed * (end - moment.speed_since);
+  moment.time = end;
+  const bool begins = moment.begun == 0 && speed > 0.0 && inputs.rate_of_penetration > 0.0;
+  if (begins) begin(slave, moment);
+  if (moment.begun == 0) return BITROCK_OK;
+
+  const Rates change{inputs.rotation - moment.first_rotation,
+                     inputs.rate_of_penetration - moment.first_rate_of_penetration};
+  bitrock_status status = std::isfinite(change.rotation) && std::isfinite(change.rate_of_penetration)
+                              ? find_load(slave, moment)
+                              : BITROCK_NOT_FINITE;
+  if (status == BITROCK_OK && end > slave.moment.time)
+    status = bitrock_core_accept(slave.core, end, change.rotation, change.rate_of_penetration);
+  if (status != BITROCK_OK && begins) bitrock_core_reset(slave.core);
+  return status;
+}
+
+struct StateHead {
+  std::uint64_t magic = 0x6574617453746942ULL;  ///< "BitState"
+  std::uint64_t bytes = 0;                      ///< of the whole state
+  std::uint64_t checksum = 0;                   ///< of what follows it in this head; the core's state has its own
+  std::uint64_t block_checksum = 0;             ///< states belong to an FMU
+  bitrock_signal core_signal{};
+  Settings settings;
+  Moment moment;
+};
+constexpr std::size_t checked_from = 3 * sizeof(std::uint64_t);
+
+std::uint64_t checksum(const StateHead& head) {
+  return base::fingerprint({reinterpret_cast<const char*>(&head) + checked_from, sizeof(head) - checked_from});
+}
+
+std::size_t core_state_bytes(const Slave& slave) {
+  std::size_t bytes = 0;
+  bitrock_core_state_size(slave.core, &bytes);
+  return bytes;
+}
+
+/// Restores the core from `state`; it may have been made with another signal.
+bool restore_core(Slave& slave, const bitrock_signal& signal, const char* state, std::size_t size) {
+  if (same(slave.core_signal, signal)) return bitrock_core_restore(slave.core, state, size) == BITROCK_OK;
+  bitrock_status status = BITROCK_OK;
+  bitrock_core* const core = new_core(slave, signal, status);
+  if (core == nullptr) return false;
+  if (bitrock_core_restore(core, state, size) != BITROCK_OK) {
+    std::free(core);
+    return false;
+  }
+  std::free(slave.core);
+  slave.core = core;
+  slave.core_signal = signal;
+  return true;
+}
+
+}  // namespace
+
+const char* make(Slave& slave, char* bytes, std::size_t size) {
+  slave.bytes = bytes;
+  if (const char* const reason = read_bit_block(bytes, size, slave.block); reason != nullptr) return reason;
+  slave.settings = start_settings(slave);
+  slave.core_signal = slave.settings.signal;
+  bitrock_status status = BITROCK_OK;
+  slave.core = new_core(slave, slave.core_signal, status);
+  return slave.core == nullptr ? bitrock_status_text(status) : nullptr;
+}
+
+void destroy(Slave& slave) {
+  std::free(slave.core);
+  std::free(slave.bytes);
+}
+
+Settings start_settings(const Slave& slave) {
+  return {.signal = slave.block.description.signal, .threshold_weight = slave.block.threshold_weight};
+}
+
+bitrock_status check(const Slave& slave, const Settings& settings) {
+  if (!(std::isfinite(settings.threshold_weight) && settings.threshold_weight >= 0.0)) return BITROCK_BAD_SIGNAL;
+  const bitrock_description description = description_with(slave, settings.signal);
+  std::size_t bytes = 0;
+  return bitrock_core_size(&description, &bytes);
+}
+
+bitrock_status find_start(Slave& slave) {
+  if (slave.moment.stale == 0) return BITROCK_OK;
+  if (const bitrock_status status = renew_core(slave); status != BITROCK_OK) return status;
+  const Moment& known = slave.moment;
+  Moment start{.phase = known.phase,
+               .stale = 0,
+               .time = known.time,
+               .stop_time = known.stop_time,
+               .inputs = known.inputs,
+               .speed_since = known.time};
+  const bitrock_status status = turn(slave, start, known.time);
+  if (status == BITROCK_OK) slave.moment = start;
+  return status;
+}
+
+bitrock_status step(Slave& slave, double end) {
+  Moment next = slave.moment;
+  const bitrock_status status = turn(slave, next, end);
+  if (status == BITROCK_OK) slave.moment = next;
+  return status;
+}
+
+std::size_t state_bytes(const Slave& slave) {
+  return sizeof(StateHead) + core_state_bytes(slave);
+}
+
+void save(const Slave& slave, char* state) {
+  const std::size_t size = state_bytes(slave);
+  StateHead head{.bytes = size,
+                 .block_checksum = slave.block.checksum,
+                 .core_signal = slave.core_signal,
+                 .settings = slave.settings,
+                 .moment = slave.moment};
+  head.checksum = checksum(head);
+  std::memcpy(state, &head, sizeof(head));
+  bitrock_core_save(slave.core, state + sizeof(head), size - sizeof(head));
+}
+
+const char* restore(Slave& slave, const char* state, std::size_t size) {
+  StateHead head;
+  if (size != state_bytes(slave)) return "the state is of another size";
+  std::memcpy(static_cast<void*>(&head), state, sizeof(head));
+  if (head.magic != StateHead{}.magic || head.bytes != size || head.block_checksum != slave.block.checksum)
+    return "the state is not of this FMU";
+  if (head.checksum != checksum(head)) return "the state is damaged: its checksum is wrong";
+  if (check(slave, head.settings) != BITROCK_OK ||
+      !restore_core(slave, head.core_signal, state + sizeof(head), size - sizeof(head)))
+    return "the state does not fit the core";
+  slave.settings = head.settings;
+  slave.moment = head.moment;
+  return nullptr;
+}
+
+}  // namespace fmu
