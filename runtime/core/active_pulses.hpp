@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 #include "runtime/signal/pulse_train.hpp"
 #include "runtime/signal/step5.hpp"
@@ -23,6 +25,8 @@ typedef double BothDirections __attribute__((vector_size(2 * sizeof(double))));
 
 /// Two pulses: x and y of the one, x and y of the other.
 typedef double TwoPulses __attribute__((vector_size(4 * sizeof(double)), aligned(16)));
+
+typedef std::int64_t FourWords __attribute__((vector_size(4 * sizeof(std::int64_t)), aligned(16)));
 
 struct ActivePair {
   TwoPulses height;              ///< [N/m]
@@ -63,8 +67,9 @@ inline void follow(ActiveCutter& active, PulseTrain& train, double angle) {
 template <Combine combine>
 BITROCK_INTO_BOTH void take(BothDirections& total, const ActivePair& pair, double angle) {
   constexpr TwoPulses zero{};
+  constexpr std::int64_t sign_bit = std::numeric_limits<std::int64_t>::min();
   const TwoPulses forward = angle - pair.centre;
-  const TwoPulses distance = forward > -forward ? forward : -forward;
+  const TwoPulses distance = (TwoPulses)((FourWords)forward & ~sign_bit);
   const TwoPulses s = 1.0 - distance * pair.inverse_half_width;
   const TwoPulses inside = s > zero ? s : zero;
   // S(s) of `smooth_unit_step`, term by term, because a function that takes vectors would need one ABI

@@ -16,25 +16,28 @@ double scaled(const ModelNumbers& model, std::size_t input, double si_value, std
 
 }  // namespace
 
-std::array<double, surrogate::output_count> ask(const ModelNumbers& model, const double* parameters,
-                                                const surrogate::CutConditions& conditions, ClampTally& clamps) {
-  ++clamps.asked;
-  const std::array<double, surrogate::input_count> inputs{
-      scaled(model, 0, conditions.cutter_speed, clamps.speed_below, clamps.speed_above),
-      scaled(model, 1, conditions.depth_of_cut, clamps.depth_below, clamps.depth_above),
-      scaled(model, 2, conditions.back_rake, clamps.rake_below, clamps.rake_above)};
-  std::array<double, surrogate::output_count> outputs;
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const OutputNumbers& output = model.outputs[i];
-    double given = 0.0;
-    surrogate::forward({.layers = output.layers.data(),
-                        .layer_count = output.layer_count,
-                        .output = output.activation,
-                        .parameters = parameters + output.first_parameter},
-                       inputs.data(), &given);
-    outputs[i] = surrogate::from_network(output.offset, output.scale, output.log_reference, given);
+void ask(const ModelNumbers& model, const double* parameters, const surrogate::CutConditions* conditions, int count,
+         Answer* answers, ClampTally& clamps) {
+  constexpr int together = asked_together;
+  std::array<double, surrogate::input_count * together> inputs{};  // zeros where there is no cutter
+  for (int q = 0; q < count; ++q) {
+    ++clamps.asked;
+    const surrogate::CutConditions& asked = conditions[q];
+    inputs[0 * together + q] = scaled(model, 0, asked.cutter_speed, clamps.speed_below, clamps.speed_above);
+    inputs[1 * together + q] = scaled(model, 1, asked.depth_of_cut, clamps.depth_below, clamps.depth_above);
+    inputs[2 * together + q] = scaled(model, 2, asked.back_rake, clamps.rake_below, clamps.rake_above);
   }
-  return outputs;
+  for (std::size_t i = 0; i < model.outputs.size(); ++i) {
+    const OutputNumbers& output = model.outputs[i];
+    std::array<double, together> given{};
+    surrogate::forward<together>({.layers = output.layers.data(),
+                                  .layer_count = output.layer_count,
+                                  .output = output.activation,
+                                  .parameters = parameters + output.first_parameter},
+                                 inputs.data(), given.data());
+    for (int q = 0; q < count; ++q)
+      answers[q][i] = surrogate::from_network(output.offset, output.scale, output.log_reference, given[q]);
+  }
 }
 
 CutterStatistics named(const std::array<double, surrogate::output_count>& o) {

@@ -67,9 +67,14 @@ struct ModelNumbers {
   std::array<OutputNumbers, surrogate::output_count> outputs;  ///< in the order of `surrogate::output_names`
 };
 
-/// The model's outputs for these conditions, moved to the training range first; what was moved is counted.
-std::array<double, surrogate::output_count> ask(const ModelNumbers& model, const double* parameters,
-                                                const surrogate::CutConditions& conditions, ClampTally& clamps);
+/// So many cutters are asked about at once: what a vector of any machine takes, and few enough to waste little.
+inline constexpr int asked_together = 4;
+
+/// The model's outputs for the conditions of 1 to `asked_together` cutters, moved to the training range first; what was
+/// moved is counted.
+using Answer = std::array<double, surrogate::output_count>;
+void ask(const ModelNumbers& model, const double* parameters, const surrogate::CutConditions* conditions, int count,
+         Answer* answers, ClampTally& clamps);
 
 /// The ten outputs by their names.
 CutterStatistics named(const std::array<double, surrogate::output_count>& outputs);

@@ -8,7 +8,7 @@ namespace runtime {
 namespace {
 
 /// First of the ten numbers that is not finite, or -1.
-int first_not_finite(const std::array<double, surrogate::output_count>& answer) {
+int first_not_finite(const Answer& answer) {
   for (std::size_t i = 0; i < answer.size(); ++i) {
     if (!std::isfinite(answer[i])) return static_cast<int>(i);
   }
@@ -18,15 +18,22 @@ int first_not_finite(const std::array<double, surrogate::output_count>& answer) 
 /// Asks the model about every cutter; nothing is changed when an answer is not finite, but for the fault.
 bitrock_status ask_for_all(Core& core, double rotation, double rate_of_penetration) {
   ClampTally clamps = core.clamps;
-  for (std::int64_t i = 0; i < core.cutter_count; ++i) {
-    CoreCutter& cutter = cutters(core)[i];
-    const surrogate::CutConditions conditions =
-        cut_conditions(cutter.force.path_radius, cutter.back_rake, rotation, rate_of_penetration);
-    cutter.answer = ask(core.model, parameters(core), conditions, clamps);
-    if (const int output = first_not_finite(cutter.answer); output >= 0) {
-      core.fault_cutter = cutter.force.cutter;
-      core.fault_output = output;
-      return BITROCK_BAD_PREDICTION;
+  std::array<surrogate::CutConditions, asked_together> conditions;
+  std::array<Answer, asked_together> answers;
+  for (std::int64_t first = 0; first < core.cutter_count; first += asked_together) {
+    CoreCutter* const asked = cutters(core) + first;
+    const int count = static_cast<int>(std::min<std::int64_t>(asked_together, core.cutter_count - first));
+    for (int q = 0; q < count; ++q) {
+      conditions[q] = cut_conditions(asked[q].force.path_radius, asked[q].back_rake, rotation, rate_of_penetration);
+    }
+    ask(core.model, parameters(core), conditions.data(), count, answers.data(), clamps);
+    for (int q = 0; q < count; ++q) {
+      asked[q].answer = answers[q];
+      if (const int output = first_not_finite(answers[q]); output >= 0) {
+        core.fault_cutter = asked[q].force.cutter;
+        core.fault_output = output;
+        return BITROCK_BAD_PREDICTION;
+      }
     }
   }
   core.clamps = clamps;

@@ -18,9 +18,9 @@ inline constexpr double most_windows = 1e15;  ///< every window number below it 
 inline constexpr std::uint64_t core_magic = 0x62697472'6f636b31ULL;
 
 struct CoreCutter {
-  double width = 0.0;                                    ///< [m]
-  double back_rake = 0.0;                                ///< [rad]
-  std::array<double, surrogate::output_count> answer{};  ///< of the model, while a window is entered
+  double width = 0.0;      ///< [m]
+  double back_rake = 0.0;  ///< [rad]
+  Answer answer{};         ///< of the model, while a window is entered
   CutterForce force;
 };
 

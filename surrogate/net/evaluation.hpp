@@ -63,26 +63,38 @@ struct NetworkNumbers {
   const double* parameters = nullptr;  ///< for k = 1..K: W[k] row by row, then b[k]
 };
 
-/// Forward pass of n[0] numbers to n[K]; for equation, symbols and limits see `Network`. Takes no memory and does not
-/// throw. Each sum starts at the bias and runs over the inputs in order, so an export can reproduce the bits.
+/// Forward pass of n[0] numbers to n[K], for `questions` of them side by side: number i of question q stands in
+/// input[i * questions + q], likewise in `output`. For equation, symbols and limits see `Network`. Takes no memory and
+/// does not throw. Each sum starts at the bias and runs over the inputs in order, so an export can reproduce the bits,
+/// and a question gets the same answer alone as beside others; beside others it costs less, for vectors.
+template <int questions = 1>
 inline void forward(const NetworkNumbers& network, const double* input, double* output) {
-  std::array<double, widest_layer> buffers[2];
-  double* from = buffers[0].data();  // a[k-1]
-  double* to = buffers[1].data();    // a[k]
-  for (int i = 0; i < network.layers[0]; ++i) from[i] = input[i];
+  using Numbers = std::array<double, questions>;
+  std::array<Numbers, widest_layer> buffers[2];
+  Numbers* from = buffers[0].data();  // a[k-1]
+  Numbers* to = buffers[1].data();    // a[k]
+  for (int i = 0; i < network.layers[0]; ++i) {
+    for (int q = 0; q < questions; ++q) from[i][q] = input[i * questions + q];
+  }
   const double* weight = network.parameters;
   for (int k = 1; k < network.layer_count; ++k) {
     const int inputs = network.layers[k - 1], outputs = network.layers[k];
     const double* bias = weight + static_cast<std::ptrdiff_t>(outputs) * inputs;
     for (int o = 0; o < outputs; ++o) {
-      double z = bias[o];
-      for (int i = 0; i < inputs; ++i) z += *weight++ * from[i];
-      to[o] = k + 1 < network.layer_count ? rectified(z) : activated(network.output, z);
+      Numbers z;
+      for (double& number : z) number = bias[o];
+      for (int i = 0; i < inputs; ++i, ++weight) {
+        for (int q = 0; q < questions; ++q) z[q] += *weight * from[i][q];
+      }
+      for (int q = 0; q < questions; ++q)
+        to[o][q] = k + 1 < network.layer_count ? rectified(z[q]) : activated(network.output, z[q]);
     }
     weight = bias + outputs;
     std::swap(from, to);
   }
-  for (int o = 0; o < network.layers[network.layer_count - 1]; ++o) output[o] = from[o];
+  for (int o = 0; o < network.layers[network.layer_count - 1]; ++o) {
+    for (int q = 0; q < questions; ++q) output[o * questions + q] = from[o][q];
+  }
 }
 
 /// The output for what the network gives (`OutputModel`); never negative, because amplitudes and counts are not.
