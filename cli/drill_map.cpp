@@ -47,7 +47,7 @@ struct Point {
   int seed = 0;
   double static_weight = 0.0, steady_limit = 0.0;  ///< [N]
   std::optional<runtime::DrillSummary> summary;    ///< none where the run failed
-  std::string status = "ok";                       ///< or the reason of the failure, without commas
+  std::string status = "not run";                  ///< then "ok", or the reason of the failure, without commas
 };
 
 /// Seeds side by side, then speeds, then hook loads.
@@ -79,6 +79,7 @@ void run_point(const Study& study, Point& point) {
   }
   try {
     point.summary = runtime::run_drill(drill, string, runtime::make_source(drill, study.model)).summary;
+    point.status = "ok";
   } catch (const base::InputError& error) {
     point.status = in_a_cell(error.what());
   } catch (const base::SimulationError& error) {
@@ -253,6 +254,17 @@ void report_points(const Options& options, const std::vector<Point>& points, dou
                               {"wall_s", wall_time}});
 }
 
+void run_all(const Options& options, const Study& study, std::vector<Point>& points) {
+  for (int i = 0; i < study.runs(); ++i) points[static_cast<std::size_t>(i)] = point_at(study, i);
+  Progress progress(options.common, "drilling", "runs");
+  base::SharedProgress shared(points.size(), progress.callback());
+  base::for_each_index(study.runs(), options.jobs, [&](int i) {
+    const auto place = static_cast<std::size_t>(i);
+    run_point(study, points[place]);
+    shared.set(place, 1.0);
+  });
+}
+
 void map(const Options& options) {
   const Study study = read_study(options);
   std::vector<std::filesystem::path> outputs{options.output};
@@ -269,15 +281,13 @@ void map(const Options& options) {
   require_outputs(options.common, inputs, outputs);
   const auto begin = std::chrono::steady_clock::now();
   std::vector<Point> points(static_cast<std::size_t>(study.runs()));
-  {
-    Progress progress(options.common, "drilling", "runs");
-    base::SharedProgress shared(points.size(), progress.callback());
-    base::for_each_index(study.runs(), options.jobs, [&](int i) {
-      const auto place = static_cast<std::size_t>(i);
-      points[place] = point_at(study, i);
-      run_point(study, points[place]);
-      shared.set(place, 1.0);
-    });
+  try {
+    run_all(options, study, points);
+  } catch (const base::Interrupted&) {
+    base::write_whole(options.output, map_csv(points));
+    warn(options.common,
+         fmt::format("stopped: {} holds the finished runs; column status names the others", options.output));
+    throw;
   }
   base::write_whole(options.output, map_csv(points));
   report_points(options, points, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());

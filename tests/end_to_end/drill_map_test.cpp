@@ -1,6 +1,11 @@
 // `bitrock drill map` and `bitrock drill compare` as a user calls them: files, figures, wrong input.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
 #include "base/child_process.hpp"
 #include "base/csv.hpp"
 #include "tests/end_to_end/program.hpp"
@@ -37,6 +42,25 @@ class DrillStudies : public testing::Test {
   }
   scratch::Folder folder_{"drill_studies"};
 };
+
+TEST_F(DrillStudies, AStoppedMapKeepsWhatIsFinished) {
+  const pid_t child =
+      program::start({"drill", "map", path("case.toml"), "--model", BITROCK_SOURCE_DIR "/campaigns/paper240/model.json",
+                      "--hook-load-kN", "5:30:100", "--rotation-rpm", "30:90:100", "--quiet", "-o", path("map.csv")});
+  std::this_thread::sleep_for(std::chrono::seconds(1));  // long before 10000 runs are done
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const base::CsvTable table = base::read_csv(path("map.csv"), true, {"status"});
+  EXPECT_EQ(table.rows(), 10000u);
+  const std::vector<std::string>& said = table.texts.at("status");
+  const auto finished = std::count(said.begin(), said.end(), "ok"),
+             left = std::count(said.begin(), said.end(), "not run");
+  EXPECT_EQ(finished + left, 10000);
+  EXPECT_GT(left, 0);
+}
 
 TEST_F(DrillStudies, MapHasARowARunAndKeepsWhatFailed) {
   const std::string command = "drill map " + path("case.toml") + model +
