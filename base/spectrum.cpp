@@ -9,6 +9,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "base/errors.hpp"
+#include "base/statistics.hpp"
 
 namespace base {
 
@@ -23,12 +24,6 @@ void check(std::span<const double> signal, double rate, std::size_t segment) {
   if (bad != signal.end())
     throw InputError(
         fmt::format("spectrum: sample {} of {} is {} (must be finite)", bad - signal.begin() + 1, signal.size(), *bad));
-}
-
-double mean_of(std::span<const double> signal) {
-  double sum = 0.0;
-  for (const double value : signal) sum += value;
-  return sum / static_cast<double>(signal.size());
 }
 
 std::vector<double> hann(std::size_t length) {
@@ -55,7 +50,7 @@ Spectrum welch(std::span<const double> signal, double rate, std::size_t segment)
   if (length < least_segment) return {};
   const std::size_t hop = length / 2, segments = 1 + (signal.size() - length) / hop, values = length / 2 + 1;
   const std::vector<double> window = hann(length);
-  const double mean = mean_of(signal), power = overlap(window, 0);
+  const double mean = summarise(signal).mean, power = overlap(window, 0);
 
   Spectrum spectrum{.segments = static_cast<int>(segments)};
   spectrum.density.assign(values, 0.0);
