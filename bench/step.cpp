@@ -63,6 +63,7 @@ std::map<std::string, double> stage_shares(dem2d::World world, int steps) {
   };
   for (int step = 0; step < steps; ++step) {
     timed("neighbours", [&] { refresh_neighbours(world); });
+    timed("copy", [&] { copy_motion(world); });
     timed("joints", [&] { joint_forces(world); });
     timed("contacts", [&] { contact_forces(world); });
     timed("boundaries", [&] { boundary_forces(world); });

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "dem2d/contact/flat_joint_energy.hpp"
+#include "dem2d/step/damaged_joints.hpp"
 #include "dem2d/step/pair_motion.hpp"
 #include "dem2d/step/step.hpp"
 #include "dem2d/step/whole_joints.hpp"
@@ -104,27 +105,23 @@ void one_joint(World& world, std::size_t joint, std::vector<Crack>& fresh) {
 }
 
 template <bool measured>
-void joints_of(World& world, const Range& range, std::vector<Crack>& fresh) {
+void joints_of(World& world, const Range& range, std::vector<int>& room, std::vector<Crack>& fresh) {
   if (world.reference_path) {
     for (std::size_t joint = range.begin; joint < range.end; ++joint) one_joint<measured>(world, joint, fresh);
     return;
   }
-  for (std::size_t joint = range.begin; joint < range.end;) {
-    const std::size_t first = joint;
-    std::uint64_t left = 0;
-    joint = whole_joint_forces(world, first, range.end, left);
-    for (; left != 0; left &= left - 1) {
-      one_joint<measured>(world, first + static_cast<std::size_t>(std::countr_zero(left)), fresh);
-    }
-  }
+  const std::span<int> slow = damaged_joint_forces(world, whole_joint_forces(world, range, room));
+  for (const int joint : slow) one_joint<measured>(world, static_cast<std::size_t>(joint), fresh);
 }
 
 }  // namespace
 
 void joint_forces(World& world, const Share& share) {
   const Range range = part_of(world.joints.disc1.size(), share);
-  std::vector<Crack>& fresh = world.fresh_cracks[static_cast<std::size_t>(share.thread)];
-  world.measure_energy ? joints_of<true>(world, range, fresh) : joints_of<false>(world, range, fresh);
+  const auto thread = static_cast<std::size_t>(share.thread);
+  std::vector<int>& room = world.slow_joints[thread];
+  std::vector<Crack>& fresh = world.fresh_cracks[thread];
+  world.measure_energy ? joints_of<true>(world, range, room, fresh) : joints_of<false>(world, range, room, fresh);
 }
 
 }  // namespace dem2d

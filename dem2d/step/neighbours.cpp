@@ -203,6 +203,7 @@ void prepare(World& world) {
   const Discs& discs = world.discs;
   world.skin = skin_per_radius * *std::min_element(discs.radius.begin(), discs.radius.end());
   world.fresh_cracks.assign(static_cast<std::size_t>(world.threads), {});
+  world.slow_joints.assign(static_cast<std::size_t>(world.threads), {});
   world.most_strayed.assign(static_cast<std::size_t>(world.threads), 0.0);
   // Every element can break once: with this much room, recording a crack never allocates during a step.
   const std::size_t elements = world.joints.state.size();
@@ -228,6 +229,7 @@ void refresh_neighbours(World& world) {
   if (!world.lists_valid || discs_left || !freed.empty()) {
     list_joints_of_discs(world);
   }
+  world.motion.resize(world.discs.x.size());
   list_contacts(world, marked);
   world.contact_forces.assign(world.contacts.disc1.size(), {});
   list_boundary_neighbours(world);

@@ -12,6 +12,8 @@ namespace dem2d {
 namespace {
 
 void write_slots(World& world, const Share& share) {
+  copy_motion(world, share);
+#pragma omp barrier
   joint_forces(world, share);
   contact_forces(world, share);
   if (share.thread == 0) boundary_forces(world);  // few discs are near a boundary: not worth threads

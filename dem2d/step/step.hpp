@@ -23,6 +23,7 @@ void move(World& world);
 
 // The stages of `find_forces`, in their order. A thread of a team calls each with its share of the work.
 void refresh_neighbours(World& world);                       ///< neighbours.cpp; not for teams
+void copy_motion(World& world, const Share& share = {});     ///< copy_motion.cpp; before joint_forces of any thread
 void joint_forces(World& world, const Share& share = {});    ///< joint_forces.cpp
 void contact_forces(World& world, const Share& share = {});  ///< contact_forces.cpp
 void boundary_forces(World& world);                          ///< contact_forces.cpp; one thread of a team

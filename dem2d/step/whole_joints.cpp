@@ -3,13 +3,13 @@
 
 #include "dem2d/step/whole_joints.hpp"
 
-#include <algorithm>
-
 // clang-format off: the order matters
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "dem2d/step/whole_joints.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#include "dem2d/step/lanes-inl.hpp"
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
@@ -17,93 +17,118 @@ namespace dem2d::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Values at some indices. The machine's gather keeps lanes that its mask leaves out, so it waits for what was in its
-/// result register before: for the joints before these, unless zeros stand there. Compilers drop the zeros when they
-/// see that the mask leaves nothing out, so `asm` hides that from them.
-template <class D, class I>
-HWY_INLINE hn::Vec<D> gather(D d, const std::vector<double>& values, I index) {
-#if HWY_TARGET <= HWY_AVX3
-  if constexpr (hn::MaxLanes(D()) == 8) {
-    __mmask8 all = 0xFF;
-    asm("" : "+Yk"(all));
-    return {_mm512_mask_i32gather_pd(_mm512_setzero_pd(), all, index.raw, values.data(), 8)};
-  }
-#endif
-  return hn::GatherIndex(d, values.data(), hn::PromoteTo(hn::RebindToSigned<D>(), index));
+/// Where the numbers of discs and joints begin. Read from the world each time, the compiler would fetch them after each
+/// store anew.
+struct Arrays {
+  const double *x, *y, *velocity_x, *velocity_y, *angle, *spin;
+  const MotionRow* motion;
+  std::size_t discs;
+  const int *disc1, *disc2, *bonded;
+  const double *radius_difference, *touching_distance, *stress_free_rotation, *half_length;
+  const double *normal_stiffness, *shear_stiffness, *tensile_strength, *cohesion, *tan_friction_angle;
+  double* shear_stress;
+  PairForce* forces;
+};
+
+Arrays arrays_of(World& world) {
+  const Discs& d = world.discs;
+  FlatJoints& j = world.joints;
+  return {.x = d.x.data(),
+          .y = d.y.data(),
+          .velocity_x = d.velocity_x.data(),
+          .velocity_y = d.velocity_y.data(),
+          .angle = d.angle.data(),
+          .spin = d.spin.data(),
+          .motion = world.motion.data(),
+          .discs = d.x.size(),
+          .disc1 = j.disc1.data(),
+          .disc2 = j.disc2.data(),
+          .bonded = j.bonded.data(),
+          .radius_difference = j.radius_difference.data(),
+          .touching_distance = j.touching_distance.data(),
+          .stress_free_rotation = j.stress_free_rotation.data(),
+          .half_length = j.half_length.data(),
+          .normal_stiffness = j.normal_stiffness.data(),
+          .shear_stiffness = j.shear_stiffness.data(),
+          .tensile_strength = j.tensile_strength.data(),
+          .cohesion = j.cohesion.data(),
+          .tan_friction_angle = j.tan_friction_angle.data(),
+          .shear_stress = j.shear_stress.data(),
+          .forces = world.joint_forces.data()};
 }
 
-/// As many joints as D has lanes, from `first` on. `outermost_centre` is that of the outermost element over R. Returns
-/// the lanes that are left to the reference path.
-template <class D>
-HWY_INLINE std::uint64_t a_vector_of_joints(World& world, std::size_t first, double outermost_centre, D d) {
-  FlatJoints& joints = world.joints;
-  const Discs& discs = world.discs;
-  const hn::RebindToSigned<D> indices;
+/// Of the joints from `first` on. They are sorted by disc 1, so a few neighbouring discs serve all lanes: one load and
+/// a shuffle for each quantity beat rows.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Motion<V> motion_of_disc1(const Arrays& a, std::size_t first, D d) {
+  const int* const disc1 = a.disc1 + first;
   const hn::Rebind<int, D> numbers;
-  const auto load = [&](const std::vector<double>& values) HWY_ATTR { return hn::LoadU(d, &values[first]); };
-  const auto disc1 = hn::LoadU(numbers, &joints.disc1[first]), disc2 = hn::LoadU(numbers, &joints.disc2[first]);
-  // Joints are sorted by disc 1, so a few neighbouring discs serve all lanes: one load and a shuffle beat a gather.
-  const auto base = static_cast<std::size_t>(joints.disc1[first]);
-  const auto offset = disc1 - hn::Set(numbers, joints.disc1[first]);
   const hn::RebindToUnsigned<decltype(numbers)> naturals;  // a negative offset is a large one there
+  const auto base = static_cast<std::size_t>(disc1[0]);
+  const auto offset = hn::LoadU(numbers, disc1) - hn::Set(numbers, disc1[0]);
   const auto lanes = hn::Set(naturals, static_cast<std::uint32_t>(hn::Lanes(d)));
   const bool near =
-      base + hn::Lanes(d) <= discs.x.size() && hn::AllTrue(naturals, hn::Lt(hn::BitCast(naturals, offset), lanes));
-  const auto lane_of_disc1 = hn::IndicesFromVec(d, near ? hn::PromoteTo(indices, offset) : hn::Zero(indices));
-  const auto of_disc1 = [&](const std::vector<double>& v) HWY_ATTR {
-    return near ? hn::TableLookupLanes(hn::LoadU(d, &v[base]), lane_of_disc1) : gather(d, v, disc1);
-  };
-  const auto of_disc2 = [&](const std::vector<double>& v) HWY_ATTR { return gather(d, v, disc2); };
+      base + hn::Lanes(d) <= a.discs && hn::AllTrue(naturals, hn::Lt(hn::BitCast(naturals, offset), lanes));
+  if (!near) return motion_of(d, a.motion, disc1);
+  const auto lane = hn::IndicesFromVec(d, hn::PromoteTo(hn::RebindToSigned<D>(), offset));
+  const auto of = [&](const double* v) HWY_ATTR { return hn::TableLookupLanes(hn::LoadU(d, v + base), lane); };
+  return {of(a.x), of(a.y), of(a.velocity_x), of(a.velocity_y), of(a.angle), of(a.spin)};
+}
 
-  // pair_motion.hpp
-  const auto dx = of_disc2(discs.x) - of_disc1(discs.x), dy = of_disc2(discs.y) - of_disc1(discs.y);
-  const auto distance = hn::Sqrt(dx * dx + dy * dy);
-  const auto inverse = hn::Set(d, 1.0) / distance;
-  const auto normal_x = dx * inverse, normal_y = dy * inverse;
-  const auto half = hn::Set(d, 0.5), radius_difference = load(joints.radius_difference);
-  const auto lever1 = half * (distance + radius_difference), lever2 = half * (distance - radius_difference);
-  const auto du = of_disc2(discs.velocity_x) - of_disc1(discs.velocity_x);
-  const auto dv = of_disc2(discs.velocity_y) - of_disc1(discs.velocity_y);
-  const auto shear_speed =
-      dv * normal_x - du * normal_y - of_disc2(discs.spin) * lever2 - of_disc1(discs.spin) * lever1;
+/// The same for all joints.
+struct Constants {
+  int elements;
+  double step, outermost_centre;  ///< [s]; of the outermost element over R [1]
+};
+
+/// As many joints as D has lanes, from `first` on. Adds those that are left to the reference path to `left`.
+template <class D>
+HWY_INLINE void a_vector_of_joints(const Arrays& a, const Constants& constants, std::size_t first, int*& left, D d) {
+  const hn::RebindToSigned<D> indices;
+  const hn::Rebind<int, D> numbers;
+  const auto load = [&](const double* values) HWY_ATTR { return hn::LoadU(d, values + first); };
+  const auto one = motion_of_disc1(a, first, d), two = motion_of(d, a.motion, a.disc2 + first);
+  const auto pair = pair_of(d, one, two, load(a.radius_difference));
 
   // flat_joint.hpp, "a wholly bonded joint"
-  const auto gap = distance - load(joints.touching_distance);
-  const auto rotation = of_disc2(discs.angle) - of_disc1(discs.angle) - load(joints.stress_free_rotation);
-  const auto R = load(joints.half_length), kn = load(joints.normal_stiffness);
-  const auto to_outermost_centre = hn::Set(d, outermost_centre) * R;
+  const auto gap = pair.distance - load(a.touching_distance);
+  const auto rotation = two.angle - one.angle - load(a.stress_free_rotation);
+  const auto R = load(a.half_length), kn = load(a.normal_stiffness);
+  const auto to_outermost_centre = hn::Set(d, constants.outermost_centre) * R;
   const auto largest = kn * (gap + hn::Abs(rotation) * to_outermost_centre);
   const auto shear_stress =
-      load(joints.shear_stress) + load(joints.shear_stiffness) * (shear_speed * hn::Set(d, world.step));
+      load(a.shear_stress) + load(a.shear_stiffness) * (pair.shear_speed * hn::Set(d, constants.step));
   const auto margin = hn::Set(d, whole_joint_margin);
-  const auto below_tension = hn::Lt(largest, margin * load(joints.tensile_strength));
+  const auto below_tension = hn::Lt(largest, margin * load(a.tensile_strength));
   const auto below_shear =
-      hn::Lt(hn::Abs(shear_stress), margin * (load(joints.cohesion) - largest * load(joints.tan_friction_angle)));
+      hn::Lt(hn::Abs(shear_stress), margin * (load(a.cohesion) - largest * load(a.tan_friction_angle)));
   const auto whole =
-      hn::Eq(hn::PromoteTo(indices, hn::LoadU(numbers, &joints.bonded[first])), hn::Set(indices, joints.elements));
+      hn::Eq(hn::PromoteTo(indices, hn::LoadU(numbers, a.bonded + first)), hn::Set(indices, constants.elements));
   const auto done = hn::And(hn::And(below_tension, below_shear), hn::RebindMask(d, whole));
-  hn::BlendedStore(shear_stress, done, d, &joints.shear_stress[first]);
+  hn::BlendedStore(shear_stress, done, d, a.shear_stress + first);
 
   const auto length = R + R;
   const auto pull = length * kn * gap, shear = length * shear_stress;
   const auto moment = hn::Set(d, -2.0 / 3.0) * R * R * R * kn * rotation;
-  const auto x = pull * normal_x - shear * normal_y, y = pull * normal_y + shear * normal_x;
-  hn::StoreInterleaved4(x, y, lever1 * shear - moment, lever2 * shear + moment, d, &world.joint_forces[first].x);
+  store_pair_forces(d, pair, pull, shear, moment, a.forces + first);
+
+  const auto joint = hn::Iota(numbers, static_cast<int>(first));
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, hn::Not(done), bits);
-  return bits[0];
+  left += hn::CompressBitsStore(joint, bits, numbers, left);
 }
 
-std::size_t WholeJointForces(World& world, std::size_t joint, std::size_t end, std::uint64_t& left) {
+std::size_t WholeJointForces(World& world, const Range& range, int* left) {
   const hn::ScalableTag<double> all_lanes;
   const hn::CappedTag<double, 1> one_lane;
-  const std::size_t lanes = hn::Lanes(all_lanes), first = joint, stop = std::min(end, first + 64);
-  const double outermost = 1.0 - 1.0 / world.joints.elements;
-  left = 0;
-  for (; joint + lanes <= stop; joint += lanes)
-    left |= a_vector_of_joints(world, joint, outermost, all_lanes) << (joint - first);
-  for (; joint < stop; ++joint) left |= a_vector_of_joints(world, joint, outermost, one_lane) << (joint - first);
-  return stop;
+  const std::size_t lanes = hn::Lanes(all_lanes);
+  const Arrays arrays = arrays_of(world);
+  const Constants constants{world.joints.elements, world.step, 1.0 - 1.0 / world.joints.elements};
+  int* end = left;
+  std::size_t joint = range.begin;
+  for (; joint + lanes <= range.end; joint += lanes) a_vector_of_joints(arrays, constants, joint, end, all_lanes);
+  for (; joint < range.end; ++joint) a_vector_of_joints(arrays, constants, joint, end, one_lane);
+  return static_cast<std::size_t>(end - left);
 }
 
 }  // namespace dem2d::HWY_NAMESPACE
@@ -114,8 +139,11 @@ namespace dem2d {
 
 HWY_EXPORT(WholeJointForces);
 
-std::size_t whole_joint_forces(World& world, std::size_t joint, std::size_t end, std::uint64_t& left) {
-  return HWY_DYNAMIC_DISPATCH(WholeJointForces)(world, joint, end, left);
+std::span<int> whole_joint_forces(World& world, const Range& range, std::vector<int>& room) {
+  // Vector units write whole vectors of numbers, of which only the first count.
+  const std::size_t most = range.end - range.begin + HWY_MAX_BYTES / sizeof(int);
+  if (room.size() < most) room.resize(most);
+  return {room.data(), HWY_DYNAMIC_DISPATCH(WholeJointForces)(world, range, room.data())};
 }
 
 }  // namespace dem2d

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -78,6 +80,7 @@ TEST_F(DiscsFile, OfAPackingGivesTheSamePackingBack) {
 TEST_F(DiscsFile, SeedIsNotComparedButBoxAndRockAre) {
   const dem2d::Specimen specimen = read(square_lattice(), dem2d::BoxSize{4e-3, 3e-3});
   EXPECT_EQ(dem2d::mismatch(specimen, rock, 4e-3, 3e-3, 99), "");
+  EXPECT_EQ(dem2d::mismatch(specimen, rock, std::nextafter(4e-3, 1.0), 3e-3, 99), "") << "4 mm, computed otherwise";
   EXPECT_NE(dem2d::mismatch(specimen, rock, 5e-3, 3e-3, 99).find("wanted is a bed of 5 x 3 mm"), std::string::npos);
   dem2d::Rock other = rock;
   other.installation_gap *= 2.0;

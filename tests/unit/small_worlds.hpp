@@ -5,6 +5,7 @@
 
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/pairs.hpp"
+#include "dem2d/step/step.hpp"
 #include "dem2d/step/world.hpp"
 
 namespace small_worlds {
@@ -50,6 +51,12 @@ inline dem2d::World disc_above_floor(double gap) {
   world.boundaries.push_back(
       {.shape = dem2d::rectangle(-1.0, -1.0, 1.0, 0.0), .modulus = modulus, .stiffness_ratio = 2.0, .friction = 0.5});
   return world;
+}
+
+/// The joints alone, after the discs were moved by hand.
+inline void joint_forces(dem2d::World& world) {
+  dem2d::copy_motion(world);
+  dem2d::joint_forces(world);
 }
 
 }  // namespace small_worlds

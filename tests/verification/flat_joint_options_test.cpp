@@ -147,10 +147,10 @@ TEST(JointTypes, AGappedJointCarriesNothingUntilItsGapIsClosed) {
   dem2d::prepare(world);
   world.step = 1e-9;
   world.discs.x[1] = 2e-3 - 1.5e-6;
-  dem2d::joint_forces(world);
+  small_worlds::joint_forces(world);
   EXPECT_EQ(world.joint_forces[0].x, 0.0);
   world.discs.x[1] = 2e-3 - 3e-6;
-  dem2d::joint_forces(world);
+  small_worlds::joint_forces(world);
   const double kn = small_worlds::modulus / 2e-3;
   EXPECT_NEAR(world.joint_forces[0].x, -kn * 1e-6 * 2e-3, 1e-9 * kn * 1e-6 * 2e-3);
 }

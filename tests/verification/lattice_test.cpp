@@ -58,7 +58,7 @@ class Lattice : public verification::JointPaths {
       d.velocity_y[i] = uy / world.step;
       d.spin[i] = 0.0;
     }
-    dem2d::joint_forces(world);
+    small_worlds::joint_forces(world);
   }
 
   /// Stress of the middle disc's cell [Pa]: each of its six joints belongs to it by half.

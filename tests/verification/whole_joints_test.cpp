@@ -1,8 +1,9 @@
-// The fast path of flat joints against the plain one, element by element; and all vector units against each other.
+// The fast paths of flat joints, whole and damaged, against the plain one; and all vector units against each other.
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "base/random.hpp"
 #include "dem2d/cut/run_cut.hpp"
@@ -57,8 +58,8 @@ TEST(WholeJoints, ClosedFormEqualsTheReferenceForRandomHistories) {
     for (int step = 0; step < 6; ++step) {
       throw_discs(fast, random);
       throw_discs(slow, same);
-      dem2d::joint_forces(fast);
-      dem2d::joint_forces(slow);
+      small_worlds::joint_forces(fast);
+      small_worlds::joint_forces(slow);
       ASSERT_EQ(fast.joints.bonded, slow.joints.bonded) << "both must agree on what breaks";
       const double force = small_worlds::modulus * 1e-5;  // size of the forces at hand [N/m]
       for (std::size_t j = 0; j < fast.joints.disc1.size(); ++j) {
@@ -84,7 +85,7 @@ TEST(WholeJoints, ABreakAtExactlyTheStrengthIsLeftToTheReference) {
     world.discs.x[1] = world.joints.touching_distance[0] + 5e-6;
     const double stress = kn * (world.discs.x[1] - world.joints.touching_distance[0]);
     world.joints.tensile_strength[0] = stress * (share == 1.0 ? 1.0 - 1e-14 : 1.0 / share);  // just broken, just not
-    dem2d::joint_forces(world);
+    small_worlds::joint_forces(world);
     EXPECT_EQ(world.joints.bonded[0], share == 1.0 ? 0 : 2);
   }
 }
@@ -95,12 +96,12 @@ TEST(WholeJoints, AFalseAlarmLeavesTheJointWhole) {
   const double stress = world.joints.normal_stiffness[0] * (world.discs.x[1] - world.joints.touching_distance[0]);
   world.joints.tensile_strength[0] = stress * (1.0 + 1e-13);  // inside the margin of the closed form, not yet broken
   world.discs.velocity_y[1] = 3.0;
-  dem2d::joint_forces(world);
+  small_worlds::joint_forces(world);
   EXPECT_EQ(world.joints.bonded[0], 2);
   EXPECT_NEAR(world.joints.shear_stress[0], world.joints.shear_stiffness[0] * 3.0 * world.step,
               1e-12 * world.joints.shear_stress[0]);
   world.discs.x[1] -= 1e-6;
-  dem2d::joint_forces(world);
+  small_worlds::joint_forces(world);
   EXPECT_NEAR(world.joints.shear_stress[0], 2.0 * world.joints.shear_stiffness[0] * 3.0 * world.step,
               1e-9 * world.joints.shear_stress[0])
       << "the shear of the step on the reference path is kept";
@@ -109,14 +110,77 @@ TEST(WholeJoints, AFalseAlarmLeavesTheJointWhole) {
 TEST(WholeJoints, ADamagedJointAddsUpItsSlidingFromWhenItWasWhole) {
   dem2d::World world = pairs_of_discs(9, 2);
   world.discs.velocity_y[1] = 3.0;
-  for (int step = 0; step < 5; ++step) dem2d::joint_forces(world);
+  for (int step = 0; step < 5; ++step) small_worlds::joint_forces(world);
   ASSERT_EQ(world.joints.bonded[0], 2);
   world.joints.tensile_strength[0] = 0.0;
-  dem2d::joint_forces(world);
+  small_worlds::joint_forces(world);
   ASSERT_EQ(world.joints.bonded[0], 0);
   EXPECT_NEAR(world.joints.shear_displacement[0], 6.0 * 3.0 * world.step, 1e-12 * world.step);
-  for (int step = 0; step < 4; ++step) dem2d::joint_forces(world);
+  for (int step = 0; step < 4; ++step) small_worlds::joint_forces(world);
   EXPECT_NEAR(world.joints.shear_displacement[0], 10.0 * 3.0 * world.step, 1e-12 * world.step) << "and slides on";
+}
+
+/// Those of a damaged joint that a step writes.
+std::vector<double> history(const dem2d::World& world, std::size_t joint) {
+  const dem2d::FlatJoints& j = world.joints;
+  const dem2d::PairForce& force = world.joint_forces[joint];
+  std::vector<double> values{force.x,
+                             force.y,
+                             force.moment1,
+                             force.moment2,
+                             j.shear_stress[joint],
+                             j.shear_displacement[joint],
+                             j.friction_loss[joint],
+                             j.switching_loss[joint],
+                             j.breaking_loss[joint]};
+  for (int e = 0; e < j.elements; ++e) {
+    const auto element = joint * static_cast<std::size_t>(j.elements) + static_cast<std::size_t>(e);
+    values.push_back(j.element_shear_stress[element]);
+    values.push_back(static_cast<double>(j.state[element]));
+  }
+  return values;
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+TEST(DamagedJoints, HaveTheBitsOfTheReferenceForRandomHistories) {
+  for (const std::int64_t target : {HWY_AVX3, HWY_AVX2, HWY_SCALAR | HWY_EMU128}) {
+    hwy::SetSupportedTargetsForTest(target);
+    int seen = 0, partly = 0, pressed = 0, broken_now = 0;
+    for (const int elements : {1, 2, 3, 6}) {
+      dem2d::World world = pairs_of_discs(803, elements);
+      world.measure_energy = true;
+      world.joints.residual_cohesion = 2e6;
+      world.joints.drop_to_residual = elements == 3;
+      for (double& strength : world.joints.tensile_strength) strength = 3e6;
+      for (double& cohesion : world.joints.cohesion) cohesion = 6e6;
+      dem2d::prepare(world);
+      base::Random random(11);
+      for (int step = 0; step < 12; ++step) {
+        throw_discs(world, random);
+        dem2d::World reference = world;
+        reference.reference_path = true;
+        const std::vector<int> bonded = world.joints.bonded;
+        small_worlds::joint_forces(world);
+        small_worlds::joint_forces(reference);
+        for (std::size_t j = 0; j < bonded.size(); ++j) {
+          if (bonded[j] == elements) continue;  // the closed form is equal to rounding only
+          ASSERT_TRUE(same_bits(history(world, j), history(reference, j))) << "joint " << j << ", step " << step;
+          ++seen;
+          partly += world.joints.bonded[j] > 0 ? 1 : 0;
+          pressed += world.joint_forces[j].x != 0.0 && world.joints.bonded[j] == 0 ? 1 : 0;
+          broken_now += world.joints.bonded[j] < bonded[j] ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_GT(seen, 10000);
+    EXPECT_GT(partly, 500);
+    EXPECT_GT(pressed, 2000);
+    EXPECT_GT(broken_now, 200);
+  }
+  hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST(VectorUnits, AllGiveTheSameBits) {
