@@ -15,11 +15,14 @@ namespace cli {
 
 namespace {
 
-struct RunFlags {
+struct CollectFlags {
   CampaignOptions campaign;
+  std::vector<std::string> accept;
+};
+
+struct RunFlags : CollectFlags {
   int workers = cores();
   std::string shard = "1/1";
-  std::vector<std::string> accept;
 };
 
 nlohmann::json or_null(const std::optional<double>& value) {
@@ -51,7 +54,7 @@ void print_job(const campaigns::JobReport& report) {
   std::fflush(stdout);
 }
 
-void accept_tables(const RunFlags& flags, const campaigns::Study& study) {
+void accept_tables(const CollectFlags& flags, const campaigns::Study& study) {
   if (flags.accept.empty()) return;
   campaigns::open_folder(study, flags.campaign.folder);
   for (const std::string& table : flags.accept) {
@@ -103,10 +106,12 @@ void show_status(const CampaignOptions& options) {
   print(options, survey.status);
 }
 
-void collect(const CampaignOptions& options) {
+void collect(const CollectFlags& flags) {
+  const CampaignOptions& options = flags.campaign;
   const std::filesystem::path folder = options.folder;
   require_outputs(options.common, {options.study_file}, {});
   const campaigns::Study study = campaigns::read_study(options.study_file);
+  accept_tables(flags, study);
   const campaigns::Status status = campaigns::status(study, folder);
   const campaigns::Collection collection = campaigns::collect(study, folder);
   if (collection.rows.empty()) {
@@ -121,6 +126,23 @@ void collect(const CampaignOptions& options) {
   print(options, status);
 }
 
+void add_accept(CLI::App& action, CollectFlags& flags) {
+  action
+      .add_option("--accept", flags.accept,
+                  "rows of this features.csv whose hash is that of a job are done (repeatable)")
+      ->allow_extra_args(false)
+      ->check(not_empty());
+}
+
+void add_collect(CLI::App& campaign) {
+  auto flags = std::make_shared<CollectFlags>();
+  CLI::App* command = add_campaign_action(
+      campaign, "collect", "write features.csv and features_mean.csv of the finished runs", flags->campaign);
+  add_campaign_folder(*command, flags->campaign);
+  add_accept(*command, *flags);
+  command->callback([flags] { collect(*flags); });
+}
+
 void add_run(CLI::App& campaign) {
   auto flags = std::make_shared<RunFlags>();
   CLI::App* command =
@@ -131,11 +153,7 @@ void add_run(CLI::App& campaign) {
       ->capture_default_str();
   command->add_option("--shard", flags->shard, "only every n-th job, beginning with the i-th: i/n")
       ->capture_default_str();
-  command
-      ->add_option("--accept", flags->accept,
-                   "rows of this features.csv whose hash is that of a job are done (repeatable)")
-      ->allow_extra_args(false)
-      ->check(not_empty());
+  add_accept(*command, *flags);
   command->add_flag("--check", flags->campaign.common.check, "print the plan, and stop");
   command->callback([flags] { run_campaign(*flags); });
 }
@@ -193,11 +211,7 @@ void add_campaign(CLI::App& app) {
   CLI::App* status = add_campaign_action(*campaign, "status", "what is done, running, failed, remaining", *options);
   add_campaign_folder(*status, *options);
   status->callback([options] { show_status(*options); });
-  auto collected = std::make_shared<CampaignOptions>();
-  CLI::App* collect_command = add_campaign_action(
-      *campaign, "collect", "write features.csv and features_mean.csv of the finished runs", *collected);
-  add_campaign_folder(*collect_command, *collected);
-  collect_command->callback([collected] { collect(*collected); });
+  add_collect(*campaign);
   add_campaign_submit(*campaign);
 }
 

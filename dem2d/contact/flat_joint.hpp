@@ -1,7 +1,7 @@
 #pragma once
 /// The flat-joint contact law in two dimensions: what two discs do to each other through one straight, partly cracked
 /// interface. This file holds the law alone: it sees the motion of one interface and its own history, nothing else.
-/// `step/forces.cpp` loops it over all joints.
+/// `step/joint_forces.cpp` loops it over all joints.
 ///
 /// **Equation.** Two faces of length 2R, one fixed to each disc, are apart by the linear profile
 ///
@@ -35,7 +35,8 @@
 ///     largest element stress = kn (gap + |rotation| (R - L/2))
 ///
 /// step/whole_joints.cpp uses these as long as no element is at its strength; a joint at its strength, or damaged, goes
-/// element by element (`update_flat_joint`, the reference: both give the same breaks, and forces equal to rounding).
+/// element by element (`update_flat_joint`, the reference: both give the same breaks, and forces equal to rounding;
+/// step/damaged_joints.cpp does the same with several damaged joints at a time, to the last bit).
 ///
 /// **Symbols.** kn, ks [Pa/m] stiffness as stress per displacement; R, L, r, l [m]; g [m]; sigma, tau [Pa];
 /// N [N/m] and m [N] are per metre of out-of-plane thickness; ds [m] shear displacement of disc 2 against disc 1 along

@@ -208,6 +208,9 @@ TEST_F(Campaign, RowsMadeElsewhereAreNotMadeAgain) {
                 .status,
             0)
       << "the trainer takes columns by name";
+  const auto together = run("campaign collect " + in("together") + " --accept " + made.string());
+  EXPECT_EQ(together.status, 0) << together.text;
+  EXPECT_EQ(features("together"), expected) << "tables are brought together without running anything";
   base::write_whole(dir / "rows.csv", rows.replace(rows.find(",15,"), 4, ",16,"));
   const auto refused = run("campaign run " + in("third") + " --accept " + (dir / "rows.csv").string());
   EXPECT_EQ(refused.status, 2);
