@@ -97,7 +97,9 @@ template <class D>
 HWY_INLINE States<hn::Mask<D>> states_of(D d, const FlatJoints& joints, const int* joint, int e) {
   std::uint8_t bonded[8] = {}, broken_in_shear[8] = {};
   for (std::size_t lane = 0; lane < hn::MaxLanes(d); ++lane) {
-    const ElementState state = joints.state[static_cast<std::size_t>(joint[lane] * joints.elements + e)];
+    const auto element =
+        static_cast<std::size_t>(joint[lane]) * static_cast<std::size_t>(joints.elements) + static_cast<std::size_t>(e);
+    const ElementState state = joints.state[element];
     bonded[0] |= static_cast<std::uint8_t>((state == ElementState::bonded ? 1U : 0U) << lane);
     broken_in_shear[0] |= static_cast<std::uint8_t>((state == ElementState::broken_in_shear ? 1U : 0U) << lane);
   }

@@ -190,8 +190,8 @@ TEST(LabTest, ARockThatDoesNotBreakIsGivenUpInWords) {
 }
 
 TEST(LabTest, ACoreMayPartAlongJointsThatWereNeverBonded) {
-  // Half of the joints are slit. Half the grains across the core are 4, so a handful of breaks parts it, too few for the
-  // tests of bonded rock to know it by: it is known by the stress that stays away.
+  // Half of the joints are slit. Half the grains across the core are 4, so a handful of breaks parts it, too few for
+  // the tests of bonded rock to know it by: it is known by the stress that stays away.
   dem2d::Rock rock = lab_specimens::coarse_rock();
   rock.installation_gap = 0.05e-3;
   rock.slit_fraction = 0.5;
