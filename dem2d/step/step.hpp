@@ -32,8 +32,8 @@ void sum_forces(World& world, const Share& share = {});      ///< sum_forces.cpp
 /// The stage of `move`, before boundaries move and cracks are collected.
 void integrate(World& world, const Share& share = {});  ///< integrate.cpp
 
-/// What a disc and step take on one core, for estimates only [ns]: during cuts on a 2.6 GHz Xeon (docs/performance.md).
-inline constexpr double typical_ns_per_disc_step = 26.0;
+/// What a disc and step take on one core, for estimates only [ns]: cuts of the data set on an EPYC (docs/performance.md).
+inline constexpr double typical_ns_per_disc_step = 18.0;
 
 /// Share of the longest stable step that is taken [ItascaPFC], and the longest allowed; see `critical_step` [1].
 inline constexpr double usual_step_factor = 0.8, longest_step_factor = 1.0;
