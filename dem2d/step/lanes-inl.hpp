@@ -1,8 +1,8 @@
 /// Numbers that lie apart in memory, brought into the lanes of a vector. For files that Highway compiles once for each
 /// vector unit (foreach_target): include after hwy/highway.h.
 ///
-/// The machines' gather instructions are not used: AMD's take 16 to 24 cycles for eight numbers [Fog, instruction
-/// tables], Intel's wait for what was in their register before. Loads and shuffles are as good there, and better here.
+/// The machines' gather instructions are not used: loads and shuffles are faster on AMD's, and on Intel's a gather
+/// waits for what was in its register before (docs/performance.md).
 
 #include "dem2d/step/world.hpp"
 

@@ -32,7 +32,8 @@ void sum_forces(World& world, const Share& share = {});      ///< sum_forces.cpp
 /// The stage of `move`, before boundaries move and cracks are collected.
 void integrate(World& world, const Share& share = {});  ///< integrate.cpp
 
-/// What a disc and step take on one core, for estimates only [ns]: cuts of the data set on an EPYC (docs/performance.md).
+/// What a disc and step take on one core, for estimates only [ns]: cuts of the data set on an EPYC
+/// (docs/performance.md).
 inline constexpr double typical_ns_per_disc_step = 18.0;
 
 /// Share of the longest stable step that is taken [ItascaPFC], and the longest allowed; see `critical_step` [1].

@@ -118,7 +118,7 @@ HWY_INLINE void a_vector_of_joints(const Arrays& a, const Constants& constants, 
 
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, hn::Not(done), bits);
-  // Not compressed into memory at once: AMD takes a hundred cycles for that.
+  // Not compressed into memory at once, which is slower on AMD's (docs/performance.md).
   const auto joint = hn::LoadU(numbers, lane_numbers) + hn::Set(numbers, static_cast<int>(first));
   hn::StoreU(hn::CompressBits(joint, bits), numbers, left);
   left += std::popcount(bits[0]);

@@ -12,7 +12,9 @@ mkdir -p "$out"
 stage() { printf '== %s (%d s)\n' "$1" $SECONDS >&2; }
 
 stage "Trends of the cut"
-$here/cut_trends.sh -o $figures $data/features.csv campaigns/six_mm/features.csv >"$out/cut_trends.md"
+tables=("$data/features.csv")
+[ ! -f campaigns/six_mm/features.csv ] || tables+=(campaigns/six_mm/features.csv)
+$here/cut_trends.sh -o $figures "${tables[@]}" >"$out/cut_trends.md"
 $here/into_page.sh cut_trends <"$out/cut_trends.md"
 
 stage "Networks"
