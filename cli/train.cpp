@@ -17,26 +17,16 @@ struct Options {
   std::string data_file, output, init_from;
   surrogate::TrainOptions train;
   std::string output_activation;
-  std::optional<double> validation;
   std::optional<int> patience;
   bool no_shuffle = false, single_cuts = false, search = false;
   int folds = 5;
 };
 
 // Unless the user says otherwise: the article's 50 epochs end before the networks have learnt what the data hold
-// (docs/validation.md), and of the small networks many a start ends in a poor minimum.
-constexpr int usual_epochs = 2000, usual_patience = 200, usual_starts = 3;
-constexpr double usual_validation = 0.15;
-
-// With fewer cases to learn from, the few kept for validation would decide by chance.
-constexpr double enough_to_validate = 20.0;
-
-/// When to stop, where the user has not said it.
-void complete(Options& options, std::size_t cases) {
-  const bool enough = options.train.split * static_cast<double>(cases) >= enough_to_validate;
-  options.train.validation = options.validation.value_or(enough ? usual_validation : 0.0);
-  options.train.patience = options.patience.value_or(options.train.validation > 0.0 ? usual_patience : 0);
-}
+// (docs/validation.md), and of the small networks many a start ends in a poor minimum. Found by cross-validation
+// (docs/decisions/0013).
+constexpr int usual_epochs = 600, usual_smoothing = 50, usual_starts = 3, usual_patience = 200;
+constexpr double usual_learning_rate = 3e-3;
 
 /// "x_amax" of "x_amax_N_per_m": fits above a column.
 std::string short_name(std::string_view name) {
@@ -97,7 +87,7 @@ void run(Options options) {
   options.train.threads = options.common.threads;
   require_outputs(options.common, {options.data_file, options.init_from}, {options.output});
   const std::size_t cases = surrogate::case_numbers(data).size();
-  complete(options, cases);
+  options.train.patience = options.patience.value_or(options.train.validation > 0.0 ? usual_patience : 0);
   if (options.common.check) {
     say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", options.data_file, data.rows.size(),
         cases, surrogate::output_count, surrogate::parameter_count(options.train.layers));
@@ -145,6 +135,8 @@ void add_train(CLI::App& app) {
   surrogate::TrainOptions& train = options->train;
   train.epochs = usual_epochs;
   train.starts = usual_starts;
+  train.smoothing = usual_smoothing;
+  train.learning_rate = usual_learning_rate;
   CLI::App* command = app.add_subcommand("train", "fit the networks to features.csv");
   command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
   command->add_option("-o,--output", options->output, "model file to write")->default_val("model.json");
@@ -171,15 +163,19 @@ void add_train(CLI::App& app) {
       ->default_val("rectified");
   command->add_flag("--log-targets", train.log_targets, "learn logarithms, so that equal shares are equal errors");
   command
-      ->add_option("--validation", options->validation,
-                   fmt::format("share of the cases to learn from that only say which epoch is best ({} of {:g} cases "
-                               "or more)",
-                               usual_validation, enough_to_validate))
-      ->check(CLI::Range(0.0, 0.9));
+      ->add_option("--smoothing", train.smoothing,
+                   "epochs over which the parameters that are kept are averaged; 0: those of the last step")
+      ->check(CLI::Range(0, 10000000))
+      ->capture_default_str();
   command
-      ->add_option(
-          "--patience", options->patience,
-          fmt::format("stop after so many epochs without a better validation error; 0: never ({})", usual_patience))
+      ->add_option("--validation", train.validation,
+                   "share of the cases to learn from that only say which epoch is best; 0: the last")
+      ->check(CLI::Range(0.0, 0.9))
+      ->capture_default_str();
+  command
+      ->add_option("--patience", options->patience,
+                   fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})",
+                               usual_patience))
       ->check(CLI::Range(0, 10000000));
   command->add_option("--starts", train.starts, "random starts, of which the best is kept")
       ->check(CLI::Range(1, 1000))

@@ -26,6 +26,11 @@ JsonPlace JsonPlace::at(std::size_t index) const {
   return {value_[index], file_, fmt::format("{}[{}]", path_, index)};
 }
 
+bool JsonPlace::has(const std::string& key) const {
+  require_object();
+  return value_.contains(key);
+}
+
 void JsonPlace::only(const std::vector<std::string>& keys) const {
   require_object();
   for (const auto& [key, ignored] : value_.items()) {

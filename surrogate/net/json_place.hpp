@@ -16,6 +16,7 @@ class JsonPlace {
   /// `file` must outlive the place.
   JsonPlace(const nlohmann::json& value, const std::string& file, std::string path = "");
 
+  bool has(const std::string& key) const;                 ///< for keys that older files do not have
   JsonPlace at(const std::string& key) const;             ///< "is missing" when it is
   JsonPlace at(std::size_t index) const;                  ///< checked by `list` before
   void only(const std::vector<std::string>& keys) const;  ///< every other key is unknown

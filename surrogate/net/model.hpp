@@ -66,6 +66,7 @@ struct Provenance {
   double validation = 0.0;            ///< fraction of the training cases that say when to stop; 0: none
   int patience = 0;                   ///< epochs without a better validation error before the stop; 0: no stop
   int starts = 1;                     ///< trainings from different random starts, of which the best was kept
+  int smoothing = 0;                  ///< epochs over which the parameters were averaged; 0: not at all
   bool averaged = true;               ///< learnt from the mean over the cuts of a case, not from the single cuts
   bool weighted = false;              ///< errors weighted by the scatter of the data
   std::vector<int> train_cases;       ///< ascending case numbers

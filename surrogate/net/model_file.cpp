@@ -81,6 +81,7 @@ OrderedJson provenance_json(const Provenance& provenance) {
           {"validation", provenance.validation},
           {"patience", provenance.patience},
           {"starts", provenance.starts},
+          {"smoothing", provenance.smoothing},
           {"averaged", provenance.averaged},
           {"weighted", provenance.weighted},
           {"train_cases", provenance.train_cases},
@@ -173,9 +174,9 @@ Provenance read_provenance(const JsonPlace& place) {
               "seed",          "split_seed",       "split",
               "shuffle",       "epochs",           "batch",
               "learning_rate", "validation",       "patience",
-              "starts",        "averaged",         "weighted",
-              "train_cases",   "validation_cases", "test_cases",
-              "choice",        "bitrock_version"});
+              "starts",        "smoothing",        "averaged",
+              "weighted",      "train_cases",      "validation_cases",
+              "test_cases",    "choice",           "bitrock_version"});
   constexpr std::uint64_t any_seed = std::numeric_limits<std::uint64_t>::max();
   Provenance provenance;
   provenance.data_file = place.at("data_file").text();
@@ -192,6 +193,9 @@ Provenance read_provenance(const JsonPlace& place) {
   provenance.validation = place.at("validation").number_from(0.0, 1.0);
   provenance.patience = static_cast<int>(place.at("patience").whole_up_to(largest_int));
   provenance.starts = static_cast<int>(place.at("starts").whole_up_to(largest_int));
+  if (place.has("smoothing")) {  // files before 2026-11-27 have none
+    provenance.smoothing = static_cast<int>(place.at("smoothing").whole_up_to(largest_int));
+  }
   provenance.averaged = place.at("averaged").flag();
   provenance.weighted = place.at("weighted").flag();
   provenance.validation_cases = place.at("validation_cases").whole_numbers();

@@ -92,6 +92,7 @@ Trained run_epochs(const LearningTask& task, const TrainOptions& options, std::s
   const AdamOptions adam{.learning_rate = options.learning_rate};
   AdamState state;
   EpochBuffers buffers;
+  Network kept = network;
   std::vector<std::size_t> order(static_cast<std::size_t>(task.train.count()));
   std::iota(order.begin(), order.end(), std::size_t{0});
   Trained best{.error = std::numeric_limits<double>::infinity()};
@@ -100,21 +101,22 @@ Trained run_epochs(const LearningTask& task, const TrainOptions& options, std::s
     if (options.shuffle) base::shuffle(random, std::span(order));
     run_epoch(task.train, order, static_cast<std::size_t>(options.batch), adam, state, buffers, network);
     require_sane(network, output, epoch);
-    const double validation = mean_squared_error(network, task.validation.all());
-    if (validated && validation < best.error) best = {network, epoch, validation, {}};
+    smooth(options.smoothing, epoch, network.parameters, kept.parameters);
+    const double validation = mean_squared_error(kept, task.validation.all());
+    if (validated && validation < best.error) best = {kept, epoch, validation, {}};
     const bool over =
         epoch == epochs || (validated && options.patience > 0 && epoch - best.best_epoch >= options.patience);
     if (epoch % stride == 0 || over) {
       curve.push_back({.epoch = epoch,
-                       .train_mse = mean_squared_error(network, task.train.all()),
+                       .train_mse = mean_squared_error(kept, task.train.all()),
                        .validation_mse = validation,
-                       .test_mse = mean_squared_error(network, task.test.all())});
+                       .test_mse = mean_squared_error(kept, task.test.all())});
     }
     done(over ? epochs : epoch);
     base::throw_if_stopped();
     if (over) break;
   }
-  if (!validated) best = {std::move(network), epochs, curve.back().train_mse, {}};
+  if (!validated) best = {std::move(kept), epochs, curve.back().train_mse, {}};
   best.curve = std::move(curve);
   return best;
 }
@@ -143,6 +145,15 @@ OutputModel learn_on(const LearningTask& task, const TrainOptions& options, std:
 }
 
 }  // namespace
+
+void smooth(int smoothing, int epoch, std::span<const double> parameters, std::span<double> kept) {
+  const int memory = std::min(epoch, smoothing);
+  if (memory <= 1) {
+    std::copy(parameters.begin(), parameters.end(), kept.begin());
+    return;
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i) kept[i] += (parameters[i] - kept[i]) / memory;
+}
 
 bool is_dead(const Network& network, std::span<const double> inputs, std::span<const double> targets) {
   constexpr std::size_t width = input_count;

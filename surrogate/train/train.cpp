@@ -45,6 +45,7 @@ void check(const TrainOptions& options) {
   const auto refuse = [](const std::string& what) { throw base::InputError(what); };
   if (options.epochs < 1) refuse(fmt::format("epochs = {} (must be at least 1)", options.epochs));
   if (options.patience < 0) refuse(fmt::format("patience = {} (must be at least 0)", options.patience));
+  if (options.smoothing < 0) refuse(fmt::format("smoothing = {} (must be at least 0)", options.smoothing));
   if (options.starts < 1) refuse(fmt::format("starts = {} (must be at least 1)", options.starts));
   if (!(options.validation >= 0.0 && options.validation < 1.0)) {
     refuse(fmt::format("validation = {} (must be at least 0 and below 1)", options.validation));
@@ -230,6 +231,7 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
                       .validation = options.validation,
                       .patience = options.patience,
                       .starts = options.starts,
+                      .smoothing = options.smoothing,
                       .averaged = options.averaged,
                       .weighted = options.weighted,
                       .train_cases = inner.train_cases,

@@ -1,9 +1,9 @@
 #pragma once
 /// From peak statistics to a `Model`: ten small networks, five for each force component, each learnt on its own
 /// [BitRock2026, sec. 3.2]. By default it follows the article's procedure: averages over the cuts of a case, scaled
-/// data, random 80/20 split, Adam, batches of 4, 50 epochs, mean squared error, the last epoch kept. Cases kept for
-/// validation say which epoch was best and when to stop; several starts make a poor minimum unlikely. Comparing kinds
-/// of networks is `search.hpp`.
+/// data, random 80/20 split, Adam, batches of 4, 50 epochs, mean squared error, the last epoch kept. Beyond it: the
+/// parameters may be averaged over epochs; cases kept for validation say which epoch was best and when to stop; several
+/// starts make a poor minimum unlikely. Comparing kinds of networks is `search.hpp`.
 
 #include <cstdint>
 #include <optional>
@@ -30,6 +30,7 @@ struct TrainOptions {
   double validation = 0.0;  ///< fraction of the cases to learn from that only say which epoch is best; 0: the last is
   int patience = 0;         ///< stop after so many epochs without a better validation error; 0: go on to the end
   int starts = 1;           ///< random starts, of which the one with the least error is kept (validation, or training)
+  int smoothing = 0;        ///< epochs over which parameters are averaged (learn.hpp); 0: those of the last step
   bool averaged = true;     ///< learn from the mean over the cuts of a case; false: from the single cuts
   bool weighted = false;    ///< weigh errors by the inverse variance of the data (`scatter.hpp`)
   bool shuffle = true;      ///< false: file order in splits and batches, the last cases are the test set

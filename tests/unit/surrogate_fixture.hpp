@@ -87,6 +87,7 @@ inline surrogate::Model linear_model() {
                       .validation = 0.2,
                       .patience = 9,
                       .starts = 3,
+                      .smoothing = 20,
                       .averaged = false,
                       .weighted = true,
                       .train_cases = {1, 2, 4, 5},

@@ -67,6 +67,22 @@ TEST(SurrogateLearn, TheParametersAreThoseOfTheBestEpoch) {
   EXPECT_EQ(short_one.outputs[same].network.parameters, earliest->network.parameters);
 }
 
+TEST(SurrogateLearn, SmoothingAveragesOverTheEpochs) {
+  // Trainings that end after one, two and three epochs walk the same path: it does not depend on what is kept.
+  const TrainingData data = read_text(features_text(1));
+  const auto parameters = [&](int epochs, int smoothing) {
+    return train(data, {.epochs = epochs, .learning_rate = 0.02, .smoothing = smoothing}).outputs[0].network.parameters;
+  };
+  const std::vector<double> one = parameters(1, 0), two = parameters(2, 0), three = parameters(3, 0);
+  const std::vector<double> all = parameters(3, 8), forgetting = parameters(3, 2);
+  ASSERT_NE(one, two);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_NEAR(all[i], (one[i] + two[i] + three[i]) / 3.0, 1e-14);
+    EXPECT_NEAR(forgetting[i], 0.25 * one[i] + 0.25 * two[i] + 0.5 * three[i], 1e-14);
+  }
+  EXPECT_EQ(parameters(3, 1), three);
+}
+
 TEST(SurrogateLearn, OfSeveralStartsTheBestIsKept) {
   const TrainingData data = read_text(features_text(1));
   const auto errors = [&](int starts) {
@@ -130,6 +146,7 @@ TEST(SurrogateLearn, RefusesWhatCannotBe) {
             "validation = nan (must be at least 0 and below 1)");
   EXPECT_EQ(message({.validation = 0.2, .patience = -1}), "patience = -1 (must be at least 0)");
   EXPECT_EQ(message({.patience = 5}), "patience = 5 without validation (no cases are kept to say when to stop)");
+  EXPECT_EQ(message({.smoothing = -1}), "smoothing = -1 (must be at least 0)");
   EXPECT_EQ(message({.starts = 0}), "starts = 0 (must be at least 1)");
   EXPECT_EQ(
       message({.weighted = true}),

@@ -67,10 +67,19 @@ TEST(SurrogateModelFile, ReadsBackBitForBit) {
   EXPECT_EQ(again.provenance.validation, 0.2);
   EXPECT_EQ(again.provenance.patience, 9);
   EXPECT_EQ(again.provenance.starts, 3);
+  EXPECT_EQ(again.provenance.smoothing, 20);
   EXPECT_FALSE(again.provenance.averaged);
   EXPECT_TRUE(again.provenance.weighted);
   EXPECT_EQ(again.provenance.validation_cases, (std::vector<int>{6}));
   EXPECT_EQ(again.provenance.choice, "compared");
+}
+
+TEST(SurrogateModelFile, FilesFromBeforeSmoothingAreRead) {
+  std::string text = model_text(linear_model());
+  const std::string line = "    \"smoothing\": 20,\n";
+  ASSERT_NE(text.find(line), std::string::npos);
+  text.erase(text.find(line), line.size());
+  EXPECT_EQ(model_from_text(text, "model.json").provenance.smoothing, 0);
 }
 
 TEST(SurrogateModelFile, PeopleCanReadIt) {
