@@ -45,12 +45,13 @@ bool is_dead(const Network& network, std::span<const double> inputs, std::span<c
 /// Epochs of this output that are over, the skipped ones of an early stop among them.
 using EpochsDone = std::function<void(int)>;
 
-/// **What** The network of an epoch is the running mean of the parameters at the ends of epochs, which is less noisy than
-/// where the last batch left them.
-/// **Equation** q_1 = p_1,   q_e = q_(e-1) + (p_e - q_(e-1)) / min(e, N): the plain mean up to epoch N, later a mean that
-/// forgets an epoch's share exponentially, over about N epochs.
+/// **What** The network of an epoch is the running mean of the parameters at the ends of epochs, which is less noisy
+/// than where the last batch left them.
+/// **Equation** q_1 = p_1,   q_e = q_(e-1) + (p_e - q_(e-1)) / min(e, N): the plain mean up to epoch N, later a mean
+/// that forgets an epoch's share exponentially, over about N epochs.
 /// **Symbols** p_e parameters after epoch e, q_e those kept, N `TrainOptions::smoothing`; N = 0 or 1: q_e = p_e.
-/// **Source** [PolyakJuditsky1992] for averages along the path of a stochastic descent; with forgetting as commonly done.
+/// **Source** [PolyakJuditsky1992] for averages along the path of a stochastic descent; with forgetting as commonly
+/// done.
 void smooth(int smoothing, int epoch, std::span<const double> parameters, std::span<double> kept);
 
 /// `start`: the output with its scaling, the kind of its network, and in a warm start its parameters. Draws from
