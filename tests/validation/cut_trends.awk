@@ -427,6 +427,30 @@ function forces_and_speed(    c, line, x, y, m, h) {
   }
 }
 
+# Logarithm of what the fastest cuts give over the slowest of the same depth, rake and seed, at one depth.
+function fastest_over_slowest(d, value, sample,    i, key) {
+  forget(sample)
+  for (i = 1; i <= rows; ++i) {
+    if (speed[i] != speed_list[speeds] || depth[i] != d) continue
+    key = speed_list[1] SUBSEP d SUBSEP rake[i] SUBSEP seed[i]
+    if (!(key in row_of) || value[i] <= 0 || value[row_of[key]] <= 0) continue
+    take(sample, log(value[i] / value[row_of[key]]))
+  }
+}
+
+function speed_by_depth(    a, x, y, m, h) {
+  if (speeds < 2) return
+  printf "\n### Speed by depth: cuts at %s m/s over those at %s m/s, same rake and rock\n\n", speed_list[speeds], speed_list[1]
+  print "| depth [mm] | pairs | mean F_x | mean F_y | A_max x | chips per length |\n" rule(6)
+  for (a = 1; a <= depths; ++a) {
+    fastest_over_slowest(depth_list[a], force_x, x)
+    fastest_over_slowest(depth_list[a], force_y, y)
+    fastest_over_slowest(depth_list[a], largest, m)
+    fastest_over_slowest(depth_list[a], chips_per_mm, h)
+    printf "| %s | %d | %s | %s | %s | %s |\n", depth_list[a], x["n"], as_ratio(x), as_ratio(y), as_ratio(m), as_ratio(h)
+  }
+}
+
 # ---- chips
 
 function chips_of_cuts(    a, i, sample, travel, least, few, n) {
@@ -462,5 +486,6 @@ END {
   force_direction()
   energy_and_depth()
   forces_and_speed()
+  speed_by_depth()
   chips_of_cuts()
 }

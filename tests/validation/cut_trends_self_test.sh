@@ -64,6 +64,7 @@ expect "| 2 | 0.312 ± 0.007 |"
 expect "| 0.1 | 90 | 1.161 ± 0.000 | 1.161 ± 0.000 | 1.161 ± 0.000 | 1.000 ± 0.000 |"
 expect "| 0.5 | 90 | 0.952 ± 0.000 |"
 expect "| 2 | 90 | 1.100 ± 0.000 |"
+expect "| 5 | 15 | 0.917 ± 0.000 | 0.917 ± 0.000 | 0.917 ± 0.000 | 1.000 ± 0.000 |"  # 1.1 / 1.2
 expect "| 5 | 60 | 20.0 ± 0.0 | 20 | 0 | 1.10 ± 0.00 |"  # 22 depths, 20 chips
 
 # A case of three seeds scatters by 0.1 / sqrt(3). Over 120 cases the ratio of forces, 0.56 in the mean square, then gives
