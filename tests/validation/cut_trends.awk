@@ -16,7 +16,7 @@ FNR == 1 {
   split("", place)
   for (i = 1; i <= NF; ++i) place[$i] = i
   needed = split("seed cutter_speed_m_per_s depth_of_cut_mm back_rake_deg cut_length_m x_amax_N_per_m x_mean_N_per_m " \
-                 "y_mean_N_per_m chips hash", names, " ")
+                 "y_mean_N_per_m chips cracks_tensile cracks_shear hash", names, " ")
   for (i = 1; i <= needed; ++i) if (!(names[i] in place)) refuse(FILENAME ": column " names[i] " is missing")
   next
 }
@@ -36,6 +36,7 @@ FNR == 1 {
   chips[rows] = $place["chips"]
   length_mm[rows] = $place["cut_length_m"] * 1000
   chips_per_mm[rows] = chips[rows] / length_mm[rows]
+  cracks_per_mm[rows] = ($place["cracks_tensile"] + $place["cracks_shear"]) / length_mm[rows]
   row_of[speed[rows], depth[rows], rake[rows], seed[rows]] = rows
   energy[rows] = force_x[rows] / depth[rows] / ucs
 
@@ -438,16 +439,18 @@ function fastest_over_slowest(d, value, sample,    i, key) {
   }
 }
 
-function speed_by_depth(    a, x, y, m, h) {
+function speed_by_depth(    a, x, y, m, h, c) {
   if (speeds < 2) return
   printf "\n### Speed by depth: cuts at %s m/s over those at %s m/s, same rake and rock\n\n", speed_list[speeds], speed_list[1]
-  print "| depth [mm] | pairs | mean F_x | mean F_y | A_max x | chips per length |\n" rule(6)
+  print "| depth [mm] | pairs | mean F_x | mean F_y | A_max x | chips per length | cracks per length |\n" rule(7)
   for (a = 1; a <= depths; ++a) {
     fastest_over_slowest(depth_list[a], force_x, x)
     fastest_over_slowest(depth_list[a], force_y, y)
     fastest_over_slowest(depth_list[a], largest, m)
     fastest_over_slowest(depth_list[a], chips_per_mm, h)
-    printf "| %s | %d | %s | %s | %s | %s |\n", depth_list[a], x["n"], as_ratio(x), as_ratio(y), as_ratio(m), as_ratio(h)
+    fastest_over_slowest(depth_list[a], cracks_per_mm, c)
+    printf "| %s | %d | %s | %s | %s | %s | %s |\n", depth_list[a], x["n"], as_ratio(x), as_ratio(y), as_ratio(m),
+           as_ratio(h), as_ratio(c)
   }
 }
 
