@@ -2,7 +2,7 @@
 # Everything in the repository that follows from the data set, made anew when the data set has changed: trends of the cut,
 # networks (model.json) and their parity pictures, the three drilling cases, the map and the pictures of the drill string.
 # Tables go into docs/validation.md, pictures into docs/figures. The prose around the tables is yours: read it afterwards.
-# Intermediate files are kept in FOLDER; half an hour of one core. B: the program.
+# Intermediate files are kept in FOLDER; some five minutes. B: the program.
 #   tests/validation/renew_pages.sh [FOLDER]
 set -euo pipefail
 export B=${B:-build/release/cli/bitrock}
