@@ -2,7 +2,7 @@
 # Everything in the repository that follows from the data set, made anew when the data set has changed: trends of the cut,
 # networks (model.json) and their parity pictures, the three drilling cases, the map and the pictures of the drill string.
 # Tables go into docs/validation.md, pictures into docs/figures. The prose around the tables is yours: read it afterwards.
-# Intermediate files are kept in FOLDER; some five minutes. B: the program.
+# Intermediate files are kept in FOLDER; two minutes of two cores. B: the program.
 #   tests/validation/renew_pages.sh [FOLDER]
 set -euo pipefail
 export B=${B:-build/release/cli/bitrock}
@@ -12,9 +12,7 @@ mkdir -p "$out"
 stage() { printf '== %s (%d s)\n' "$1" $SECONDS >&2; }
 
 stage "Trends of the cut"
-tables=("$data/features.csv")
-[ ! -f campaigns/six_mm/features.csv ] || tables+=(campaigns/six_mm/features.csv)
-$here/cut_trends.sh -o $figures "${tables[@]}" >"$out/cut_trends.md"
+$here/cut_trends.sh -o $figures $data/features.csv campaigns/six_mm/features.csv >"$out/cut_trends.md"
 $here/into_page.sh cut_trends <"$out/cut_trends.md"
 
 stage "Networks"
