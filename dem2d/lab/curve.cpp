@@ -1,6 +1,7 @@
 #include "dem2d/lab/curve.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace dem2d {
 
@@ -8,6 +9,7 @@ namespace {
 
 constexpr double secant_share = 0.5;       // of the peak stress [IsrmUniaxial1979]
 constexpr double initiation_share = 0.01;  // of the cracks at the peak
+constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 
 int cracks(const LabSample& sample) {
   return sample.cracks_tensile + sample.cracks_shear;
@@ -31,6 +33,9 @@ CurveResult read_curve(std::span<const LabSample> curve) {
   const auto peak = std::max_element(curve.begin(), curve.end(),
                                      [](const LabSample& a, const LabSample& b) { return a.stress < b.stress; });
   const LabSample secant = first_at(curve, secant_share * peak->stress);
+  const auto first_cracked = std::find_if(curve.begin(), curve.end(), [](const LabSample& s) { return cracks(s) > 0; });
+  LabSample elastic = secant;
+  if (cracks(secant) > 0) elastic = first_cracked == curve.begin() ? LabSample{} : *(first_cracked - 1);
   const double initiated = std::max(1.0, initiation_share * cracks(*peak));
   const auto initiation =
       std::find_if(curve.begin(), peak, [initiated](const LabSample& s) { return cracks(s) >= initiated; });
@@ -38,6 +43,9 @@ CurveResult read_curve(std::span<const LabSample> curve) {
           .strain_at_peak = peak->strain,
           .youngs_modulus = secant.stress / secant.strain,
           .poissons_ratio = -secant.lateral_strain / secant.strain,
+          .cracks_at_half = cracks(secant),
+          .uncracked_modulus = elastic.strain != 0.0 ? elastic.stress / elastic.strain : not_there,
+          .uncracked_ratio = elastic.strain != 0.0 ? -elastic.lateral_strain / elastic.strain : not_there,
           .crack_initiation_stress = initiation->stress,
           .cracks_at_peak = cracks(*peak)};
 }

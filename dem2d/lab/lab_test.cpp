@@ -31,6 +31,9 @@ constexpr double points_to_expected_strength = 500.0;
 constexpr double strains_given_up = 5.0, strains_given_up_unbonded = 25.0;
 constexpr double most_strain = 0.5;  // and at this strain at the latest: far beyond any rock [1]
 
+// A core has a diameter of at least ten of its largest grains [IsrmUniaxial1979].
+constexpr double least_grains = 10.0;
+
 // About a day on one core for a core of some thousand discs.
 constexpr double most_steps = 5e8;
 
@@ -106,6 +109,9 @@ void fill_results(LabRun& run) {
   run.strain_at_peak = result.strain_at_peak;
   run.youngs_modulus = elastic ? result.youngs_modulus : not_measured;
   run.poissons_ratio = elastic ? result.poissons_ratio : not_measured;
+  run.cracks_at_half = result.cracks_at_half;
+  run.uncracked_modulus = elastic ? result.uncracked_modulus : not_measured;
+  run.uncracked_ratio = elastic ? result.uncracked_ratio : not_measured;
   run.crack_initiation_stress = result.crack_initiation_stress;
   run.cracks_at_peak = result.cracks_at_peak;
 }
@@ -224,6 +230,27 @@ void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& setti
             "at most a quarter of the core's height: shorter grips or a longer core");
   }
   refuse_endless_test(test, rock, settings, source);
+}
+
+std::vector<std::string> warnings(LabTest test, const Rock& rock, const LabSettings& settings) {
+  const double largest = 2.0 * rock.radius_max;
+  if (settings.width >= least_grains * largest) return {};
+  return {
+      fmt::format("{} test: the core is {:.3g} mm wide, {:.2g} of the largest grains (diameter {:.3g} mm); a "
+                  "laboratory asks for at least {:g}, and with fewer a strength is that of single grains",
+                  name_of(test), settings.width * 1e3, settings.width / largest, largest * 1e3, least_grains)};
+}
+
+std::vector<std::string> warnings(const LabRun& run) {
+  if (!(run.poissons_ratio > largest_elastic_ratio) || run.cracks_at_half == 0) return {};
+  const std::string before = std::isfinite(run.uncracked_ratio)
+                                 ? fmt::format("before the first one nu is {:.3f} and E {:.4g} GPa",
+                                               run.uncracked_ratio, run.uncracked_modulus * 1e-9)
+                                 : std::string("no part of the curve is without them");
+  return {fmt::format(
+      "{} test of seed {}: nu = {:.3f} is not that of an elastic body: {} cracks lie below half the strength, "
+      "to which E and nu are measured, and nu is their opening; {}",
+      name_of(run.test), run.seed, run.poissons_ratio, run.cracks_at_half, before)};
 }
 
 LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& settings,

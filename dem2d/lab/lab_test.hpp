@@ -13,6 +13,7 @@
 ///     strength       = largest stress
 ///     E              = stress / strain and nu = -lateral strain / strain, secants from 0 to half the strength
 ///     crack initiation stress = stress when 1 % of the cracks that exist at the peak exist
+///     uncracked E and nu = the same secants, from 0 to the first crack, where that is below half the strength
 ///
 /// **Signs.** Stress and strains are positive in compression in `ucs` and `brazilian`, in extension in `tension`.
 ///
@@ -20,6 +21,8 @@
 ///
 /// **Source.** Secant modulus to half the strength: [IsrmUniaxial1979]; Brazilian formula: [IsrmTensile1978]; platens
 /// and grips that move at both ends, stop at a share of the peak: the public test files that go with [Potyondy2015].
+/// That part of the curve holds cracks in nearly every rock under compression, as in the laboratory; where they open so
+/// far that nu is not that of an elastic body, `warnings` says so.
 /// The 1 % rule for crack initiation is a convention of bonded-particle work [PotyondyCundall2004].
 ///
 /// **End.** Cores are loaded until the stress has fallen to 0.8 of its peak. The halves of a split Brazilian disc can
@@ -37,6 +40,7 @@
 /// little.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -83,6 +87,9 @@ struct LabRun {
   double strain_at_peak = 0.0;           ///< [1]
   double youngs_modulus = 0.0;           ///< [Pa]; brazilian: NaN, the test does not give it
   double poissons_ratio = 0.0;           ///< [1]; brazilian: NaN
+  double uncracked_modulus = 0.0;        ///< [Pa]; before the first crack; NaN: there is no such part, or brazilian
+  double uncracked_ratio = 0.0;          ///< [1]; as above
+  int cracks_at_half = 0;                ///< at half the strength
   double crack_initiation_stress = 0.0;  ///< [Pa]
   int cracks_tensile = 0, cracks_shear = 0, cracks_at_peak = 0;
   double fracture_height = 0.0;  ///< tension: median height of the cracks over the core's height [1]; others: NaN
@@ -101,6 +108,16 @@ const char* name_of(LabTest test);
 
 /// Throws `InputError` beginning with `source` when the settings make no test of this rock.
 void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& settings, const std::string& source);
+
+/// What is allowed but hardly wanted, in words: a core of few grains.
+std::vector<std::string> warnings(LabTest test, const Rock& rock, const LabSettings& settings);
+
+/// What the result does not mean: a Poisson's ratio that is not that of an elastic body.
+std::vector<std::string> warnings(const LabRun& run);
+
+/// Discs with springs along their centre lines alone have this Poisson's ratio in two dimensions, and shear springs
+/// only lower it (tests/verification/lattice_test.cpp): what is above comes from cracks.
+inline constexpr double largest_elastic_ratio = 1.0 / 3.0;
 
 /// Width and height of the specimen that a test needs: for the Brazilian test the box around its disc.
 struct LabBox {

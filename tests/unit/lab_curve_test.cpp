@@ -54,6 +54,44 @@ TEST(ReadCurve, StrengthModuliAndCrackInitiation) {
   EXPECT_EQ(result.crack_initiation_stress, 30e6);
 }
 
+TEST(ReadCurve, ElasticNumbersAreThoseBeforeTheFirstCrack) {
+  // cracks open at 20 MPa of 100: to 50 MPa the core widens as fast as it shortens, before it a fifth of that
+  const std::vector<dem2d::LabSample> curve{{0.001, -0.0002, 10e6, 0, 0},
+                                            {0.0015, -0.0003, 15e6, 0, 0},
+                                            {0.002, -0.0004, 20e6, 3, 0},
+                                            {0.006, -0.0070, 50e6, 40, 5},
+                                            {0.015, -0.0200, 100e6, 200, 50}};
+  const dem2d::CurveResult result = dem2d::read_curve(curve);
+  EXPECT_NEAR(result.poissons_ratio, 0.0070 / 0.006, 1e-12);
+  EXPECT_EQ(result.cracks_at_half, 45);
+  EXPECT_NEAR(result.uncracked_ratio, 0.2, 1e-12);
+  EXPECT_NEAR(result.uncracked_modulus, 10e9, 1.0);
+
+  dem2d::LabRun run{.test = dem2d::LabTest::ucs, .seed = 7};
+  run.poissons_ratio = result.poissons_ratio;
+  run.uncracked_ratio = result.uncracked_ratio;
+  run.uncracked_modulus = result.uncracked_modulus;
+  run.cracks_at_half = result.cracks_at_half;
+  ASSERT_EQ(dem2d::warnings(run).size(), 1u);
+  EXPECT_EQ(
+      dem2d::warnings(run)[0],
+      "ucs test of seed 7: nu = 1.167 is not that of an elastic body: 45 cracks lie below half the strength, to which "
+      "E and nu are measured, and nu is their opening; before the first one nu is 0.200 and E 10 GPa");
+  run.poissons_ratio = 0.3;
+  EXPECT_TRUE(dem2d::warnings(run).empty()) << "some cracks below half the strength are as in any rock";
+}
+
+TEST(ReadCurve, WithoutCracksTheElasticNumbersAreTheSecants) {
+  const std::vector<dem2d::LabSample> curve{
+      {0.001, -0.0002, 10e6, 0, 0}, {0.002, -0.0005, 20e6, 0, 0}, {0.0025, -0.0006, 15e6, 90, 0}};
+  const dem2d::CurveResult result = dem2d::read_curve(curve);
+  EXPECT_EQ(result.cracks_at_half, 0);
+  EXPECT_EQ(result.uncracked_ratio, result.poissons_ratio);
+  EXPECT_EQ(result.uncracked_modulus, result.youngs_modulus);
+  const std::vector<dem2d::LabSample> cracked{{0.001, -0.0002, 10e6, 1, 0}, {0.002, -0.0005, 20e6, 2, 0}};
+  EXPECT_TRUE(std::isnan(dem2d::read_curve(cracked).uncracked_ratio));
+}
+
 TEST(ReadCurve, WithoutCracksBeforeThePeakTheyBeginThere) {
   const std::vector<dem2d::LabSample> curve{
       {0.001, -0.0002, 10e6, 0, 0}, {0.002, -0.0004, 20e6, 0, 0}, {0.002, -0.0004, 5e6, 90, 0}};
