@@ -70,7 +70,9 @@ void observe(const DrillState& state, Observed& seen) {
   seen.flight.add(state.weight_on_bit == 0.0);
 }
 
-void record(const DrillString& string, const DrillState& state, DrillSeries& series) {
+/// `face` [m]: of the rock at the beginning, from where the string counts its own places. Both differ by the lift of a
+/// bit that begins off bottom.
+void record(const DrillString& string, const DrillState& state, double face, DrillSeries& series) {
   const Drive drive = drive_at(string.drive, state.time);
   const bool imposed = string.drive.imposes_speed;
   series.time_s.push_back(state.time);
@@ -83,8 +85,8 @@ void record(const DrillString& string, const DrillState& state, DrillSeries& ser
   series.fracture_torque_N_m.push_back(state.fracture_torque);
   series.drive_torque_N_m.push_back(imposed ? drive_reaction(string.torsional, state.torsional, drive)
                                             : drive_torque_at(string.drive, state.time));
-  series.bit_depth_m.push_back(string.axial.size() > 0 ? state.axial.position.back() : state.face);
-  series.face_depth_m.push_back(state.face);
+  series.bit_depth_m.push_back((string.axial.size() > 0 ? state.axial.position.back() : state.face) - face);
+  series.face_depth_m.push_back(state.face - face);
   series.progression_angle_rad.push_back(state.progression);
 }
 
@@ -101,8 +103,9 @@ void require_finite(const DrillState& state) {
                   state.time));
 }
 
+/// `drilled` [m]: how far the face of the rock has come.
 DrillSummary summary_of(const DrillString& string, const DrillState& state, const Observed& seen, double step,
-                        double residual) {
+                        double drilled, double residual) {
   DrillSummary summary;
   summary.bit_rotation = seen.rotation.spread();
   summary.weight_on_bit = seen.weight.spread();
@@ -119,7 +122,7 @@ DrillSummary summary_of(const DrillString& string, const DrillState& state, cons
   summary.share_off_bottom = seen.off_bottom / seen.count;
   summary.longest_stop = static_cast<double>(seen.stop.ever) * step;
   summary.longest_flight = static_cast<double>(seen.flight.ever) * step;
-  summary.drilled = state.face;
+  summary.drilled = drilled;
   const EnergyFlows& work = state.work;
   const double through = std::abs(work.drive) + std::abs(work.weight + work.hook) + std::abs(work.bit_friction) +
                          std::abs(work.dampers) + std::abs(work.fracture);
@@ -167,8 +170,8 @@ DrillRun run_drill(const DrillCase& drill, const DrillString& string, const Dril
   const auto samples = static_cast<long long>(std::floor(drill.run.duration / drill.run.sample * (1.0 + 1e-12)));
 
   DrillState state = beginning(string, source.load, drill.run.turning, drill.run.off_bottom);
-  const double initial = stored_energy(string, state);
-  record(string, state, run.series);
+  const double initial = stored_energy(string, state), face = state.face;
+  record(string, state, face, run.series);
   Observed seen;
   for (long long sample = 0; sample < samples; ++sample) {
     if (progress) progress(static_cast<double>(sample) * drill.run.sample, drill.run.duration);
@@ -179,13 +182,13 @@ DrillRun run_drill(const DrillCase& drill, const DrillString& string, const Dril
       if (state.time > drill.run.settling) observe(state, seen);
     }
     require_finite(state);
-    record(string, state, run.series);
+    record(string, state, face, run.series);
   }
   if (progress) progress(drill.run.duration, drill.run.duration);
   if (seen.count == 0.0) observe(state, seen);
 
   run.steps = samples * steps_a_sample;
-  run.summary = summary_of(string, state, seen, run.step, energy_residual(string, state, initial));
+  run.summary = summary_of(string, state, seen, run.step, state.face - face, energy_residual(string, state, initial));
   if (source.bit) {
     run.summary.clamps = source.bit->clamps();
     run.summary.draws = source.bit->draws();

@@ -49,7 +49,7 @@ struct DrillSummary {
   double share_off_bottom = 0.0;      ///< [1] of the time, no weight on bit
   double longest_stop = 0.0;          ///< [s] without a break at rest or turning back
   double longest_flight = 0.0;        ///< [s] without a break off bottom
-  double drilled = 0.0;               ///< [m] since the beginning
+  double drilled = 0.0;               ///< [m] of rock since the beginning; a lift at the beginning is not drilled
   double energy_residual = 0.0;       ///< [1] energy the solver lost over the work that went through the string
   ClampTally clamps;                  ///< of the networks; all 0 without
   DrawTally draws;
