@@ -7,15 +7,18 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "base/unit_hint.hpp"
 
 namespace base {
 
 bool Range::contains(double value) const {
   if (!std::isfinite(value)) return false;
+  if (or_zero && value == 0.0) return true;
   if (low_open ? value <= low : value < low) return false;
   return high_open ? value < high : value <= high;
 }
@@ -23,7 +26,8 @@ bool Range::contains(double value) const {
 std::string Range::text() const {
   const bool has_low = std::isfinite(low), has_high = std::isfinite(high);
   if (has_low && has_high) {
-    return fmt::format("{} {} and {} {}", low_open ? "above" : "at least", low, high_open ? "below" : "at most", high);
+    return fmt::format("{}{} {} and {} {}", or_zero ? "0, or " : "", low_open ? "above" : "at least", low,
+                       high_open ? "below" : "at most", high);
   }
   if (has_low) return fmt::format("{} {}", low_open ? "above" : "at least", low);
   if (has_high) return fmt::format("{} {}", high_open ? "below" : "at most", high);
@@ -60,7 +64,7 @@ void assign(const toml::node& node, const Field& field, const Refuse& refuse) {
   const auto number = [&](const toml::node& entry) {
     const auto value = entry.is_number() ? entry.value<double>() : std::nullopt;
     if (!value) refuse(entry, "must be a number");
-    if (!field.range.contains(*value)) refuse(entry, "must be " + field.range.text());
+    if (!field.range.contains(*value)) refuse(entry, out_of_range(field.name, *value, field.range));
     if (!std::isfinite(*value * field.si_per_unit)) refuse(entry, "is too large");
     return *value;
   };
@@ -175,9 +179,18 @@ std::string misspelt(const Field& field, const toml::table& table, const Section
   return nearest.empty() ? "" : "; is it the unknown key " + nearest + "?";
 }
 
+/// A key without both limits takes a slipped unit, or 1e308, without a word: every number has a lowest and a highest.
+void require_limits(const Field& field) {
+  const bool number =
+      !std::holds_alternative<bool*>(field.target) && !std::holds_alternative<std::string*>(field.target);
+  if (number && !(std::isfinite(field.range.low) && std::isfinite(field.range.high)))
+    throw std::logic_error("the key " + field.name + " has no limits");
+}
+
 template <class State, class Refuse>
 void fill_table(State& state, const toml::table& table, const Section& section, int line, const Refuse& refuse) {
   for (const Field& field : section.fields) {
+    require_limits(field);
     state.known_keys.insert(qualified(section.name, field.name));
     const toml::node* node = table.get(field.name);
     if (node != nullptr) {

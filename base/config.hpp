@@ -20,6 +20,7 @@ struct Range {
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;   ///< true: `low` itself is not allowed
   bool high_open = false;  ///< true: `high` itself is not allowed
+  bool or_zero = false;    ///< true: 0 is allowed too, and means none or the default
 
   bool contains(double value) const;  ///< false for NaN and infinities
   std::string text() const;           ///< "> 0", "from 0 to 90", ...
@@ -36,6 +37,10 @@ inline Range at_least(double low) {
 }
 inline Range between(double low, double high) {
   return {.low = low, .high = high};
+}
+
+inline Range zero_or(double low, double high) {
+  return {.low = low, .high = high, .or_zero = true};
 }
 
 using FieldTarget = std::variant<double*, int*, bool*, std::string*, std::vector<double>*, std::vector<int>*>;
@@ -63,7 +68,8 @@ class ConfigFile {
   ~ConfigFile();
   ConfigFile(ConfigFile&&) noexcept;
 
-  /// Fills the fields of one section. A missing section counts as empty.
+  /// Fills the fields of one section. A missing section counts as empty. A number whose range lacks a limit is a fault
+  /// of the program: throws `std::logic_error`.
   void fill(const Section& section);
   /// Whether the file has this section, or this key of it.
   bool has(const std::string& section, const std::string& key = "") const;

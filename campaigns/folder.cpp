@@ -24,10 +24,10 @@ void refuse_other_study(const Study& study, const Path& folder) {
 }
 
 base::Section describe(RunningRecord& record) {
-  const base::Range time = base::at_least(0.0);
+  const base::Range time = base::between(0.0, 1e12), process = base::between(0, 2147483647);
   return {"",
           {{"host", &record.host, 1.0, base::any(), "machine", true},
-           {"pid", &record.pid, 1.0, base::at_least(0), "process", true},
+           {"pid", &record.pid, 1.0, process, "process", true},
            {"started_s", &record.started, 1.0, time, "since 1970", true},
            {"share_done", &record.share_done, 1.0, base::between(0.0, 1.0), "of the cut", true}}};
 }

@@ -8,6 +8,7 @@
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
+#include "base/unit_hint.hpp"
 #include "base/units.hpp"
 
 namespace campaigns {
@@ -16,9 +17,9 @@ namespace {
 
 using base::deg, base::mm;
 
-const base::Range speed_range{.low = 0.0, .high = 50.0, .low_open = true};
-const base::Range depth_range = base::positive();
-const base::Range rake_range = base::between(0.0, 60.0);
+using dem2d::cutter_speed_m_per_s, dem2d::depth_of_cut_mm, dem2d::back_rake_deg;
+
+constexpr double most_jobs = 1e6;  // decades of one core; some GB of cases
 
 /// Cut and bed are sized either for all cases, or by the depth of each.
 struct Size {
@@ -29,38 +30,39 @@ constexpr Size sizes[]{{"cut", "run_in_mm"}, {"cut", "cut_length_mm"},   {"bed",
                        {"bed", "height_mm"}, {"bed", "moving_ahead_mm"}, {"bed", "moving_behind_mm"}};
 
 base::Section describe(ByDepth& by_depth) {
-  using base::at_least, base::positive;
+  // The longest cut and bed are those of a cut file: 10 m.
+  const base::Range depths{.low = 0.0, .high = 1e4, .low_open = true}, from_zero = base::between(0.0, 1e4);
+  const base::Range from_three = base::between(3.0, 1e4), least = base::between(0.0, 1e4);
   return {
       "by_depth",
-      {{"cut_length_depths", &by_depth.cut_length_depths, 1.0, positive(), "travel of the cutter", true},
-       {"bed_height_depths", &by_depth.bed_height_depths, 1.0, at_least(3.0), "from bottom to surface", true},
-       {"bed_beyond_depths", &by_depth.bed_beyond_depths, 1.0, at_least(3.0), "rock past the end of the cut", true},
-       {"run_in_depths", &by_depth.run_in_depths, 1.0, at_least(0.0), "travel before forces count"},
-       {"moving_ahead_depths", &by_depth.moving_ahead_depths, 1.0, at_least(0.0), "rock that moves; 0: all of it"},
-       {"moving_behind_depths", &by_depth.moving_behind_depths, 1.0, at_least(0.0), "rock that moves; 0: all of it"},
-       {"fine_bed_depths", &by_depth.fine_bed_depths, 1.0, at_least(0.0),
-        "from the surface; larger grains below; 0: none"},
-       {"cut_length_least_mm", &by_depth.cut_length_least, mm, at_least(0.0), "however small the depth"},
-       {"bed_height_least_mm", &by_depth.bed_height_least, mm, at_least(0.0), "however small the depth"},
-       {"bed_beyond_least_mm", &by_depth.bed_beyond_least, mm, at_least(0.0), "however small the depth"},
-       {"moving_ahead_least_mm", &by_depth.moving_ahead_least, mm, at_least(0.0), "however small the depth"},
-       {"moving_behind_least_mm", &by_depth.moving_behind_least, mm, at_least(0.0), "however small the depth"},
-       {"fine_bed_least_mm", &by_depth.fine_bed_least, mm, at_least(0.0), "however small the depth"}}};
+      {{"cut_length_depths", &by_depth.cut_length_depths, 1.0, depths, "travel of the cutter", true},
+       {"bed_height_depths", &by_depth.bed_height_depths, 1.0, from_three, "from bottom to surface", true},
+       {"bed_beyond_depths", &by_depth.bed_beyond_depths, 1.0, from_three, "rock past the end of the cut", true},
+       {"run_in_depths", &by_depth.run_in_depths, 1.0, from_zero, "travel before forces count"},
+       {"moving_ahead_depths", &by_depth.moving_ahead_depths, 1.0, from_zero, "rock that moves; 0: all of it"},
+       {"moving_behind_depths", &by_depth.moving_behind_depths, 1.0, from_zero, "rock that moves; 0: all of it"},
+       {"fine_bed_depths", &by_depth.fine_bed_depths, 1.0, from_zero, "from the surface; larger grains below; 0: none"},
+       {"cut_length_least_mm", &by_depth.cut_length_least, mm, least, "however small the depth"},
+       {"bed_height_least_mm", &by_depth.bed_height_least, mm, least, "however small the depth"},
+       {"bed_beyond_least_mm", &by_depth.bed_beyond_least, mm, least, "however small the depth"},
+       {"moving_ahead_least_mm", &by_depth.moving_ahead_least, mm, least, "however small the depth"},
+       {"moving_behind_least_mm", &by_depth.moving_behind_least, mm, least, "however small the depth"},
+       {"fine_bed_least_mm", &by_depth.fine_bed_least, mm, least, "however small the depth"}}};
 }
 
 base::Section describe(Grid& grid) {
   return {"grid",
-          {{"cutter_speeds_m_per_s", &grid.cutter_speeds, 1.0, speed_range, "of the grid", true},
-           {"depths_of_cut_mm", &grid.depths_of_cut, mm, depth_range, "of the grid", true},
-           {"back_rakes_deg", &grid.back_rakes, deg, rake_range, "of the grid", true}}};
+          {{"cutter_speeds_m_per_s", &grid.cutter_speeds, 1.0, cutter_speed_m_per_s, "of the grid", true},
+           {"depths_of_cut_mm", &grid.depths_of_cut, mm, depth_of_cut_mm, "of the grid", true},
+           {"back_rakes_deg", &grid.back_rakes, deg, back_rake_deg, "of the grid", true}}};
 }
 
 /// How the resolved copy of a study holds its table.
 base::Section describe(Table& table) {
   return {"table",
-          {{"cutter_speed_m_per_s", &table.cutter_speed, 1.0, speed_range, "of each case"},
-           {"depth_of_cut_mm", &table.depth_of_cut, mm, depth_range, "of each case"},
-           {"back_rake_deg", &table.back_rake, deg, rake_range, "of each case"}}};
+          {{"cutter_speed_m_per_s", &table.cutter_speed, 1.0, cutter_speed_m_per_s, "of each case"},
+           {"depth_of_cut_mm", &table.depth_of_cut, mm, depth_of_cut_mm, "of each case"},
+           {"back_rake_deg", &table.back_rake, deg, back_rake_deg, "of each case"}}};
 }
 
 /// The sections that every study has.
@@ -111,16 +113,16 @@ Table read_table(const std::filesystem::path& path) {
     std::vector<double> values = csv.column(name);
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!range.contains(values[i])) {
-        throw base::InputError(
-            fmt::format("{}:{}: {} = {} (must be {})", csv.source, csv.lines[i], name, values[i], range.text()));
+        throw base::InputError(fmt::format("{}:{}: {} = {} ({})", csv.source, csv.lines[i], name, values[i],
+                                           base::out_of_range(name, values[i], range)));
       }
       values[i] *= unit;
     }
     return values;
   };
-  Table table{.cutter_speed = column("cutter_speed_m_per_s", speed_range, 1.0),
-              .depth_of_cut = column("depth_of_cut_mm", depth_range, mm),
-              .back_rake = column("back_rake_deg", rake_range, deg)};
+  Table table{.cutter_speed = column("cutter_speed_m_per_s", cutter_speed_m_per_s, 1.0),
+              .depth_of_cut = column("depth_of_cut_mm", depth_of_cut_mm, mm),
+              .back_rake = column("back_rake_deg", back_rake_deg, deg)};
   std::map<std::tuple<double, double, double>, int> lines;
   for (std::size_t i = 0; i < csv.rows(); ++i) {
     const auto [first, is_new] =
@@ -140,6 +142,18 @@ void read_cases(base::ConfigFile& file, Study& study) {
   if (!has_table) return read_grid(file, study.grid);
   file.fill({"", {{"table", &study.table_file, 1.0, base::any(), "cases as CSV, relative to this file"}}});
   study.table = read_table(file.resolve(study.table_file));
+}
+
+/// A study is held in memory, with a cut for each job.
+void refuse_too_many(const Study& study, const std::string& source) {
+  const auto size = [](const auto& list) { return static_cast<double>(list.size()); };
+  const Grid& grid = study.grid;
+  const double in_grid = size(grid.cutter_speeds) * size(grid.depths_of_cut) * size(grid.back_rakes);
+  const double all = std::max(in_grid, size(study.table.cutter_speed)) * size(study.seeds);
+  if (all <= most_jobs) return;
+  throw base::InputError(
+      fmt::format("{}: {:.0f} cases times {} seeds are {:.3g} cuts (at most {:.0e}; split the study)", source,
+                  all / size(study.seeds), study.seeds.size(), all, most_jobs));
 }
 
 dem2d::CutCase sized(dem2d::CutCase cut, const ByDepth& by_depth) {
@@ -191,6 +205,7 @@ Study read_study(const std::filesystem::path& path) {
   if (file.has("by_depth")) read_by_depth(file, study);
   file.refuse_unknown();
   if (has_repeats(study.seeds)) file.refuse("", "seeds", "each value may appear once");
+  refuse_too_many(study, path.string());
   study.common.rock = dem2d::read_rock(file.resolve(study.common.rock_file));
   int number = 0;
   for (const dem2d::CutCase& cut : cases(study)) {

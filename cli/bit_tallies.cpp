@@ -2,6 +2,12 @@
 
 namespace cli {
 
+namespace {
+
+constexpr double seldom_share = 0.1;  // of the questions: the cutter nearest to the axis, or a start and a stop
+
+}  // namespace
+
 nlohmann::json as_json(const runtime::ClampTally& clamps) {
   return {{"asked", clamps.asked},
           {"speed_below", clamps.speed_below},
@@ -20,14 +26,30 @@ nlohmann::json as_json(const runtime::DrawTally& draws) {
           {"capped", draws.capped}};
 }
 
-void say_clamps(const CommonOptions& options, const runtime::ClampTally& clamps) {
+void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps, const std::string& asked) {
   if (clamps.clamped() == 0) return;
-  say(options,
-      "outside the training range, answered for its edge: speed too low {}, too high {}; depth too low {}, too high "
-      "{}; "
-      "rake too low {}, too high {} (of {} questions)\n",
-      clamps.speed_below, clamps.speed_above, clamps.depth_below, clamps.depth_above, clamps.rake_below,
-      clamps.rake_above, clamps.asked);
+  const auto percent = [&clamps](std::int64_t count) {
+    return fmt::format("{:.3g} %", 100.0 * static_cast<double>(count) / static_cast<double>(clamps.asked));
+  };
+  const std::string text = fmt::format(
+      "outside the training range the networks answer for its edge: of {} questions, speed too low {}, too high {}; "
+      "depth too low {}, too high {}; rake too low {}, too high {}{}{}",
+      clamps.asked, percent(clamps.speed_below), percent(clamps.speed_above), percent(clamps.depth_below),
+      percent(clamps.depth_above), percent(clamps.rake_below), percent(clamps.rake_above), asked.empty() ? "" : "; ",
+      asked);
+  const bool seldom = static_cast<double>(clamps.clamped()) < seldom_share * static_cast<double>(clamps.asked);
+  if (seldom) {
+    say(options, "{}\n", text);
+  } else {
+    warn(options, text);
+  }
+}
+
+void add_clamps(runtime::ClampTally& sum, const runtime::ClampTally& clamps) {
+  using Tally = runtime::ClampTally;
+  for (std::int64_t Tally::*count : {&Tally::asked, &Tally::speed_below, &Tally::speed_above, &Tally::depth_below,
+                                     &Tally::depth_above, &Tally::rake_below, &Tally::rake_above})
+    sum.*count += clamps.*count;
 }
 
 }  // namespace cli

@@ -10,7 +10,12 @@ namespace cli {
 nlohmann::json as_json(const runtime::ClampTally& clamps);
 nlohmann::json as_json(const runtime::DrawTally& draws);
 
-/// One line, or nothing where no answer came from the edge of the range.
-void say_clamps(const CommonOptions& options, const runtime::ClampTally& clamps);
+/// What the networks were asked outside their range: nothing, a line where it was seldom (less
+/// than a tenth of the questions), or else a warning.
+/// `asked` says by how much (`runtime::asked_outside`), and at which motion; it may be empty.
+void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps, const std::string& asked);
+
+/// Adds the counts of one run to those of others.
+void add_clamps(runtime::ClampTally& sum, const runtime::ClampTally& clamps);
 
 }  // namespace cli

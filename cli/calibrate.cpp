@@ -243,6 +243,7 @@ void run_calibration(const Options& options, const dem2d::CalibrationTarget& tar
 
 void run(const Options& options) {
   const dem2d::CalibrationTarget target = dem2d::read_target(options.target_file);
+  for (const std::string& warning : dem2d::warnings(target)) warn(options.common, warning);
   const std::vector<int> fresh_list = fresh_seeds(options, target);
   dem2d::check_tests(target);
   const std::string journal_file =

@@ -53,7 +53,7 @@ void add_campaign_plan(CLI::App& campaign) {
   command->add_option("--dir", options->campaign.folder, "do not count what is done in this folder")
       ->check(not_empty());
   command->add_option("--ns-per-disc-step", options->ns_per_disc_step, "speed of one core of your machine")
-      ->check(finite_positive())
+      ->check(within("--ns-per-disc-step", base::between(0.01, 1e6)))
       ->capture_default_str();
   command->callback([options] {
     require_outputs(options->campaign.common, {options->campaign.study_file}, {});

@@ -1,10 +1,10 @@
 #include "cli/command.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <thread>
 
 #include "base/files.hpp"
+#include "base/unit_hint.hpp"
 
 namespace cli {
 
@@ -29,23 +29,15 @@ void require_outputs(const CommonOptions& options, const std::vector<std::filesy
   for (const auto& output : all) base::require_writable(output);
 }
 
-namespace {
-
-std::string check_number(const std::string& text, bool positive) {
-  double value = 0.0;
-  const bool good =
-      !text.empty() && CLI::detail::lexical_cast(text, value) && std::isfinite(value) && (!positive || value > 0.0);
-  return good ? "" : fmt::format("'{}' (must be a finite number{})", text, positive ? " above 0" : "");
-}
-
-}  // namespace
-
-CLI::Validator finite() {
-  return {[](std::string& text) { return check_number(text, false); }, "NUMBER", "finite"};
-}
-
-CLI::Validator finite_positive() {
-  return {[](std::string& text) { return check_number(text, true); }, "NUMBER > 0", "finite_positive"};
+CLI::Validator within(const std::string& flag, const base::Range& allowed) {
+  return {[flag, allowed](std::string& text) {
+            double value = 0.0;
+            if (text.empty() || !CLI::detail::lexical_cast(text, value))
+              return fmt::format("'{}' is not a number", text);
+            return allowed.contains(value) ? std::string()
+                                           : fmt::format("'{}' ({})", text, base::out_of_range(flag, value, allowed));
+          },
+          "NUMBER " + allowed.text(), "within"};
 }
 
 CLI::Validator not_empty() {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/config.hpp"
 #include "base/progress.hpp"
 
 namespace cli {
@@ -55,9 +56,9 @@ class Progress {
   double per_unit_;  ///< shown number = number given * per_unit
 };
 
-/// For options: a number that is there, finite, and as stated. An empty text is no number.
-CLI::Validator finite();
-CLI::Validator finite_positive();
+/// For options: a number within `allowed`, which is finite; an empty text is no number. The message says whether
+/// another unit than that of the flag's name may be meant.
+CLI::Validator within(const std::string& flag, const base::Range& allowed);
 /// For file and folder names.
 CLI::Validator not_empty();
 

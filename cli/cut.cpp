@@ -80,12 +80,14 @@ void print_energy(const Options& options, const dem2d::CutRun& run) {
 void run(const Options& options) {
   const dem2d::CutCase cut = dem2d::read_cut_case(options.case_file);
   for (const std::string& warning : dem2d::warnings(cut)) warn(options.common, warning);
+  dem2d::check_frames(options.frames, dem2d::expected_discs(cut.rock, cut.bed_length, cut.bed_height));
   if (options.common.check) {
     require_outputs(options.common, {options.case_file, options.specimen_file}, {});
     return print_plan(options, cut);
   }
   require_outputs(options.common, {options.case_file, options.specimen_file}, {options.output});
   const dem2d::Specimen bed = bed_of(options, cut);
+  for (const std::string& warning : dem2d::warnings(bed)) warn(options.common, warning);
   dem2d::CutRun result;
   {
     Progress progress(options.common, "cutting", "ms", 1e3);

@@ -116,7 +116,6 @@ void print(const Options& options, const runtime::DrillCase& drill, const runtim
       "of the time; drilled {:.4g} mm\n",
       s.static_weight_on_bit * 1e-3, s.severity, 100.0 * s.share_at_rest, 100.0 * s.share_backwards,
       100.0 * s.share_off_bottom, s.drilled * 1e3);
-  say_clamps(options.common, s.clamps);
   say(options.common, "energy lost by the solver {:.2g} %; {:.0f} times real time -> {}\n", 100.0 * s.energy_residual,
       drill.run.duration / run.wall_time, options.output);
 }
@@ -141,6 +140,8 @@ void run(const Options& options) {
   for (const std::string& warning : runtime::warnings(drill, string)) warn(options.common, warning);
   const std::optional<surrogate::Model> model = model_of(options.common, options.model_file, drill);
   const runtime::DrillSource source = runtime::make_source(drill, model);
+  const runtime::DrillSource tried = runtime::make_source(drill, model);
+  for (const std::string& warning : runtime::warnings_of_load(string, tried.load)) warn(options.common, warning);
   const std::vector<std::filesystem::path> inputs{options.case_file, drill.bit_file, drill.source.model_file};
   if (options.common.check) {
     require_outputs(options.common, inputs, {});
@@ -156,6 +157,7 @@ void run(const Options& options) {
   const std::string fingerprint = model ? base::fingerprint_text(base::read_whole(drill.source.model_file)) : "";
   runtime::write_drill_run(result, drill, fingerprint, options.output);
   print(options, drill, result);
+  if (model) tell_clamps(options.common, result.summary.clamps, asked_at_the_mean(drill.bit, *model, result.summary));
   write_json(options.common, {{"summary", as_json(result.summary)},
                               {"step_s", result.step},
                               {"steps", result.steps},

@@ -8,6 +8,7 @@
 #include "base/files.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "cli/bit_tallies.hpp"
 #include "cli/drill_parts.hpp"
 #include "cli/ranges.hpp"
 #include "runtime/drillstring/drill_file.hpp"
@@ -62,7 +63,8 @@ Study read_study(const Options& options) {
   study.string = runtime::assemble(study.drill);
   for (const std::string& warning : runtime::warnings(study.drill, study.string)) warn(options.common, warning);
   runtime::require_stable(study.drill, study.string);
-  if (!study.model) runtime::make_source(study.drill, study.model);  // says what is missing
+  const runtime::DrillSource tried = runtime::make_source(study.drill, study.model);  // says what is missing
+  for (const std::string& warning : runtime::warnings_of_load(study.string, tried.load)) warn(options.common, warning);
   study.model_fingerprint = base::fingerprint_text(base::read_whole(study.drill.source.model_file));
   return study;
 }
@@ -109,6 +111,14 @@ void warn_of_mismatch(const Options& options, const ComparedRuns& runs) {
                                        run.seed, 100.0 * run.mismatch));
     }
   }
+}
+
+/// The networks' runs of all seeds together.
+void tell_clamps_of_all(const Options& options, const Study& study, const ComparedRuns& runs) {
+  runtime::ClampTally sum;
+  for (const ComparedRun& run : runs[0]) add_clamps(sum, run.summary.clamps);
+  tell_clamps(options.common, sum,
+              study.model ? asked_at_the_mean(study.drill.bit, *study.model, runs[0].front().summary) : "");
 }
 
 nlohmann::json result_json(const ComparedRuns& runs) {
@@ -158,6 +168,7 @@ void compare(const Options& options) {
   say(options.common, "{}, {} seeds, mean ± standard deviation over the seeds\n\n{}\n-> {}\n", study.drill.name,
       study.seeds.size(), table, options.folder);
   warn_of_mismatch(options, runs);
+  tell_clamps_of_all(options, study, runs);
   write_json(options.common, result_json(runs));
 }
 

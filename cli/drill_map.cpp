@@ -1,4 +1,5 @@
 // bitrock drill map: how a drill string turns over hook load and speed, one short run a point.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/parallel.hpp"
+#include "cli/bit_tallies.hpp"
 #include "cli/draw.hpp"
 #include "cli/drill_parts.hpp"
 #include "cli/ranges.hpp"
@@ -23,7 +25,8 @@ namespace {
 
 constexpr double rpm = 2.0 * std::numbers::pi / 60.0, kN = 1e3, m_per_h = 1.0 / 3600.0;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr int most_runs = 100000;  // a day or so of two cores
+constexpr int most_runs = 100000;    // a day or so of two cores
+constexpr double most_steps = 1e12;  // of all runs together: some two months of one core
 // At a severity of 1 the bit comes to rest and swings to double the mean; what turns back is a little above.
 constexpr double greatest_severity = 1.2;
 
@@ -200,6 +203,15 @@ void write_picture(const Options& options, const Study& study, const std::vector
   say(options.common, "-> {}, drawn by {}\n", options.picture, script_of(options).string());
 }
 
+/// A map of so many steps is a year of one core, and more.
+void refuse_endless(const Study& study) {
+  const double steps = study.runs() * (study.drill.run.duration / runtime::step_of(study.drill.run));
+  if (steps <= most_steps) return;
+  throw base::InputError(
+      fmt::format("{}: {} runs of {:g} s are {:.3g} steps (at most {:.0e}; fewer points, or a shorter run.duration_s)",
+                  study.drill.name, study.runs(), study.drill.run.duration, steps, most_steps));
+}
+
 Study read_study(const Options& options) {
   Study study{.drill = runtime::read_drill_case(options.case_file),
               .model = {},
@@ -224,20 +236,27 @@ Study read_study(const Options& options) {
   }
   study.model = model_of(options.common, options.model_file, study.drill);
   const runtime::DrillString string = runtime::assemble(study.drill);
+  for (const std::string& warning : runtime::warnings(study.drill.bit)) warn(options.common, warning);
   if (string.axial.size() == 0)
     throw base::InputError(options.case_file + ": the string has no axial chain, and so no hook load");
   runtime::require_stable(study.drill, string);
+  refuse_endless(study);
   runtime::make_source(study.drill, study.model);  // says what is missing
   return study;
 }
 
-void report_points(const Options& options, const std::vector<Point>& points, double wall_time) {
+void report_points(const Options& options, const Study& study, const std::vector<Point>& points, double wall_time) {
   int failed = 0, steady = 0, stick_slip = 0, bounce = 0;
+  runtime::ClampTally clamps;
+  const double bearable = runtime::most_weight_on_bit(study.drill.bit);
+  const auto overloaded =
+      std::count_if(points.begin(), points.end(), [&](const Point& point) { return point.static_weight > bearable; });
   for (const Point& point : points) {
     if (!point.summary) {
       ++failed;
       continue;
     }
+    add_clamps(clamps, point.summary->clamps);
     const runtime::DrillCondition seen = runtime::condition(*point.summary, point.rotation * rpm);
     steady += seen.steady ? 1 : 0;
     stick_slip += seen.stick_slip ? 1 : 0;
@@ -246,6 +265,13 @@ void report_points(const Options& options, const std::vector<Point>& points, dou
   say(options.common, "{} runs in {:.3g} s: {} steady, {} with stick-slip, {} with bit bounce, {} failed -> {}\n",
       points.size(), wall_time, steady, stick_slip, bounce, failed, options.output);
   if (failed > 0) warn(options.common, fmt::format("{} runs failed; column status says why", failed));
+  if (overloaded > 0) {
+    warn(options.common,
+         fmt::format("{} of {} runs have a static weight on bit above {:.3g} kN, more than a bit of {:.4g} "
+                     "mm bears (rule of thumb, not a maker's table)",
+                     overloaded, points.size(), bearable / kN, study.drill.bit.diameter * 1e3));
+  }
+  tell_clamps(options.common, clamps, "column depth_clamped_share says where");
   write_json(options.common, {{"runs", points.size()},
                               {"steady", steady},
                               {"stick_slip", stick_slip},
@@ -290,7 +316,8 @@ void map(const Options& options) {
     throw;
   }
   base::write_whole(options.output, map_csv(points));
-  report_points(options, points, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  report_points(options, study, points,
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   if (!options.picture.empty()) write_picture(options, study, points);
 }
 

@@ -1,8 +1,10 @@
 #include "cli/drill_parts.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "cli/bit_tallies.hpp"
+#include "runtime/bit/asked_range.hpp"
 #include "surrogate/net/model_file.hpp"
 
 namespace cli {
@@ -36,6 +38,13 @@ std::optional<surrogate::Model> model_of(const CommonOptions& common, const std:
                      model.rock.empty() ? "does not say of which rock it is" : fmt::format("is of '{}'", model.rock)));
   }
   return model;
+}
+
+std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
+                              const runtime::DrillSummary& summary) {
+  const std::string asked =
+      runtime::asked_outside(bit, model, summary.bit_rotation.mean, std::max(0.0, summary.rop.mean));
+  return asked.empty() ? "" : "at the mean speed and ROP " + asked;
 }
 
 nlohmann::json as_json(const runtime::DrillSummary& s) {

@@ -14,6 +14,10 @@ namespace cli {
 std::optional<surrogate::Model> model_of(const CommonOptions& common, const std::string& flag,
                                          runtime::DrillCase& drill);
 
+/// What the networks are asked outside their range at the mean speed and ROP of a run; empty where that is inside.
+std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
+                              const runtime::DrillSummary& summary);
+
 /// As docs/formats.md lists it under "drill run".
 nlohmann::json as_json(const runtime::DrillSummary& summary);
 

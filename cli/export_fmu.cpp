@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "cli/command.hpp"
+#include "runtime/bit/asked_range.hpp"
 #include "runtime/export/fmu/fmu_file.hpp"
 #include "surrogate/net/model_file.hpp"
 
@@ -20,6 +21,9 @@ struct Options {
 void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
   const runtime::Bit bit = runtime::read_bit(options.bit_file);
+  for (const std::string& warning : runtime::warnings(bit)) warn(options.common, warning);
+  if (const std::string rakes = runtime::rakes_outside(bit, model); !rakes.empty())
+    warn(options.common, "outside the training range the networks answer for its edge: " + rakes);
   if (std::filesystem::path(options.output).extension() != ".fmu")
     throw base::InputError(fmt::format("{} (an FMU must end in .fmu)", options.output));
   require_outputs(options.common, {options.model_file, options.bit_file}, {options.output});

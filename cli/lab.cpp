@@ -285,11 +285,19 @@ void tell_what_is_missing(const LabResults& results) {
 
 void run(const Options& options) {
   const Plan plan = make_plan(options);
+  for (const std::string& warning : dem2d::warnings(options.test, plan.rock, plan.settings))
+    warn(options.common, warning);
+  for (const dem2d::Specimen& given : plan.given) {
+    for (const std::string& warning : dem2d::warnings(given)) warn(options.common, warning);
+  }
   require_outputs(options.common, {options.rock_file, options.specimen_file}, output_files(options, plan));
   if (options.common.check) return print_plan(options, plan);
   const LabResults results = run_all(options, plan);
   const nlohmann::json json = result_json(options, plan, results);
   print_table(options.common, results);
+  for (const dem2d::LabRun& tested : results.runs) {
+    for (const std::string& warning : dem2d::warnings(tested)) warn(options.common, warning);
+  }
   if (json.contains("rate_check")) print_rate_check(options.common, json);
   write_json(options.common, json);
   if (!options.folder.empty() && !results.runs.empty()) {
@@ -313,21 +321,19 @@ void add_lab(CLI::App& app) {
   CLI::Option* seeds =
       command->add_option("--seeds,--seed", options->seeds, "one specimen a seed, e.g. 1,2,3")->capture_default_str();
   command->add_option("--width-mm", options->width_mm, "instead of specimen.width_mm of the rock file")
-      ->check(finite_positive());
+      ->check(within("--width-mm", dem2d::specimen_length_mm));
   command
       ->add_option("--height-mm", options->height_mm, "instead of specimen.height_mm of the rock file (not brazilian)")
-      ->check(finite_positive());
+      ->check(within("--height-mm", dem2d::specimen_length_mm));
   command->add_option("--strain-rate-per-s", options->settings.strain_rate, "instead of the one chosen for the rock")
-      ->check(finite_positive());
+      ->check(within("--strain-rate-per-s", base::between(1e-6, 1e4)));
   command->add_option("--local-damping", options->settings.local_damping, "share of the unbalanced force")
-      ->check(finite())
-      ->check(CLI::Range(0.0, 0.95))
+      ->check(within("--local-damping", base::between(0.0, 0.95)))
       ->capture_default_str();
   CLI::Option* platen_friction =
       command
           ->add_option("--platen-friction", options->settings.platen_friction, "between platens and core (not tension)")
-          ->check(finite())
-          ->check(CLI::Range(0.0, 10.0))
+          ->check(within("--platen-friction", base::between(0.0, 10.0)))
           ->capture_default_str();
   command
       ->add_option("--specimen", options->specimen_file,

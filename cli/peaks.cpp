@@ -149,6 +149,15 @@ nlohmann::json list_of_peaks(const History& history) {
   return list;
 }
 
+/// 0 where no sample is finite.
+double mean_of_finite(const std::vector<double>& values) {
+  double mean = 0.0, count = 0.0;
+  for (const double value : values) {
+    if (std::isfinite(value)) mean += (value - mean) / ++count;
+  }
+  return mean;
+}
+
 /// Everything that `peaks` finds in a history.
 struct Findings {
   peaks::PeakStatistics all;
@@ -157,6 +166,7 @@ struct Findings {
   std::size_t not_a_number = 0, infinite = 0;  ///< samples that are NaN, +infinity
   double mean_period = 0.0;                    ///< without force [s]
   bool even = true;                            ///< samples are evenly spaced, as far as is known
+  double mean = 0.0;                           ///< of the finite samples
 };
 
 Findings find(const History& history, int parts) {
@@ -171,6 +181,7 @@ Findings find(const History& history, int parts) {
       static_cast<std::size_t>(std::count(force.begin(), force.end(), std::numeric_limits<double>::infinity()));
   findings.mean_period = findings.zero.mean_period() * mean_spacing(history.time);
   findings.even = evenly_spaced(history.time);
+  findings.mean = mean_of_finite(force);
   return findings;
 }
 
@@ -193,7 +204,13 @@ void print(const Options& options, const History& history, const Findings& found
   }
 }
 
-void warn_about(const Options& options, const Findings& found) {
+void warn_about(const Options& options, const History& history, const Findings& found) {
+  if (found.mean < 0.0) {
+    warn(options.common,
+         fmt::format("the mean of {} is {:.4g}{}, below 0: the rock's resistance to the cutter and its push out of the "
+                     "rock are positive here; is the sign of this column the other way round?",
+                     history.column, found.mean, unit_of(history.column)));
+  }
   for (const auto& [what, count] : {std::pair{"not numbers", found.not_a_number}, {"infinite", found.infinite}}) {
     if (count == 0) continue;
     warn(options.common,
@@ -211,7 +228,7 @@ void run(const Options& options) {
   require_outputs(options.common, {options.file}, {});
   const Findings found = find(history, options.parts);
   print(options, history, found);
-  warn_about(options, found);
+  warn_about(options, history, found);
   if (options.common.json_file.empty()) return;
   const bool timed = history.time.size() > 1;
   nlohmann::json result = numbers(found.all);

@@ -5,7 +5,9 @@
 #include "base/errors.hpp"
 #include "base/units.hpp"
 #include "cli/command.hpp"
+#include "dem2d/cut/cut_case.hpp"
 #include "surrogate/net/model_file.hpp"
+#include "surrogate/net/trained_range.hpp"
 
 namespace cli {
 
@@ -42,11 +44,15 @@ void run(const Options& options) {
     }
   }
   if (!prediction.inside_training_range) {
-    std::string ranges;
-    for (const surrogate::Variable& input : model.inputs)
-      ranges += fmt::format("{}{} {:g} to {:g}", ranges.empty() ? "" : ", ", input.name, input.low, input.high);
-    if (options.strict) throw base::InputError(fmt::format("outside the training range ({})", ranges));
-    fmt::print(stderr, "bitrock: warning: outside the training range ({}); this is an extrapolation\n", ranges);
+    const std::array<double, surrogate::input_count> asked{options.speed, options.depth_mm, options.rake_deg};
+    std::string outside;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      const std::string one = surrogate::beyond_range_in_words(model.inputs[i], asked[i], asked[i]);
+      if (!one.empty()) outside += (outside.empty() ? "" : "; ") + one;
+    }
+    const std::string what = "outside the training range: " + outside;
+    if (options.strict) throw base::InputError(what);
+    warn(options.common, what + "; this is an extrapolation");
   }
   for (const auto& [axis, p] : {std::pair{"x", prediction.x}, std::pair{"y", prediction.y}}) {
     say(options.common, "{}: A_max {:.4g} kN/m, A_mean {:.4g} kN/m, peaks per metre {:.4g} + {:.4g} + {:.4g}\n", axis,
@@ -73,11 +79,17 @@ void add_predict(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("predict", "five peak statistics for x and y from a trained model");
   command->add_option("model", options->model_file, "model.json")->required();
-  command->add_option("--speed-m-per-s", options->speed, "cutter speed")->required()->check(finite_positive());
-  command->add_option("--depth-mm", options->depth_mm, "depth of cut")->required()->check(finite_positive());
-  command->add_option("--rake-deg", options->rake_deg, "back rake")->required()->check(finite());
+  command->add_option("--speed-m-per-s", options->speed, "cutter speed")
+      ->required()
+      ->check(within("--speed-m-per-s", dem2d::cutter_speed_m_per_s));
+  command->add_option("--depth-mm", options->depth_mm, "depth of cut")
+      ->required()
+      ->check(within("--depth-mm", dem2d::depth_of_cut_mm));
+  command->add_option("--rake-deg", options->rake_deg, "back rake")
+      ->required()
+      ->check(within("--rake-deg", base::between(-89.0, 89.0)));
   command->add_option("--cut-length-mm", options->cut_length_mm, "also say how many peaks a cut of this length has")
-      ->check(finite_positive());
+      ->check(within("--cut-length-mm", base::between(0.01, 1e6)));
   command->add_flag("--strict", options->strict, "outside the training range is an error, not a warning");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });

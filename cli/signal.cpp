@@ -7,6 +7,7 @@
 #include "base/files.hpp"
 #include "cli/bit_tallies.hpp"
 #include "cli/command.hpp"
+#include "runtime/bit/asked_range.hpp"
 #include "runtime/bit/constant_speed.hpp"
 #include "surrogate/net/model_file.hpp"
 
@@ -23,6 +24,7 @@ struct Options {
 void run(const Options& options) {
   const runtime::Bit bit = runtime::read_bit(options.bit_file);
   const surrogate::Model model = surrogate::read_model(options.model_file);
+  for (const std::string& warning : runtime::warnings(bit)) warn(options.common, warning);
   const runtime::ConstantSpeed drive{.rotation = options.rpm * 2.0 * std::numbers::pi / 60.0,
                                      .rate_of_penetration = options.rop_m_per_h / 3600.0,
                                      .duration = options.duration,
@@ -45,7 +47,7 @@ void run(const Options& options) {
       options.rop_m_per_h, s.depth_of_cut_m * 1e3);
   say(options.common, "axial force mean {:.4g} kN, max {:.4g} kN; torque mean {:.4g} N m, max {:.4g} N m\n",
       s.mean_force_N * 1e-3, s.max_force_N * 1e-3, s.mean_torque_N_m, s.max_torque_N_m);
-  say_clamps(options.common, s.clamps);
+  tell_clamps(options.common, s.clamps, runtime::asked_outside(bit, model, drive.rotation, drive.rate_of_penetration));
   if (draws.mean_missed + draws.narrowed > 0) {
     say(options.common,
         "of {} windows, {} cannot have the mean peak the networks say, and {} hold so few peaks that these do not fill "
@@ -76,10 +78,18 @@ void add_signal(CLI::App& app) {
   CLI::App* command = app.add_subcommand("signal", "force and torque on a whole bit at steady rpm and ROP");
   command->add_option("bit", options->bit_file, "bit file, e.g. campaigns/bits/pdc15.toml")->required();
   command->add_option("--model", options->model_file, "model.json")->required();
-  command->add_option("--rpm", options->rpm, "rotation of the bit")->required()->check(finite());
-  command->add_option("--rop-m-per-h", options->rop_m_per_h, "rate of penetration")->required()->check(finite());
-  command->add_option("--duration-s", options->duration, "how long")->check(finite_positive())->capture_default_str();
-  command->add_option("--rate-hz", options->rate, "samples a second")->check(finite_positive())->capture_default_str();
+  command->add_option("--rpm", options->rpm, "rotation of the bit")
+      ->required()
+      ->check(within("--rpm", base::between(runtime::slowest_rpm, runtime::fastest_rpm)));
+  command->add_option("--rop-m-per-h", options->rop_m_per_h, "rate of penetration")
+      ->required()
+      ->check(within("--rop-m-per-h", base::between(0.0, runtime::fastest_m_per_h)));
+  command->add_option("--duration-s", options->duration, "how long")
+      ->check(within("--duration-s", base::between(1e-6, 1e7)))
+      ->capture_default_str();
+  command->add_option("--rate-hz", options->rate, "samples a second")
+      ->check(within("--rate-hz", base::between(1e-3, 1e7)))
+      ->capture_default_str();
   command->add_option("-o,--output", options->output, "CSV file to write")->default_val("signal.csv");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });

@@ -108,6 +108,7 @@ void run(const Options& options) {
   if (options.common.check) return check(options, rock);
   require_outputs(options.common, {options.rock_file, options.discs_file}, {options.output});
   const dem2d::Specimen specimen = from_discs(options) ? read_discs(options, rock) : pack(options, rock);
+  for (const std::string& warning : dem2d::warnings(specimen)) warn(options.common, warning);
   dem2d::write_specimen(specimen, options.output);
   report(options, specimen);
 }
@@ -123,9 +124,9 @@ void add_specimen(CLI::App& app) {
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "specimen file to write (.h5)")->default_val("specimen.h5");
   command->add_option("--width-mm", options->width_mm, "instead of specimen.width_mm of the rock file")
-      ->check(finite_positive());
+      ->check(within("--width-mm", dem2d::specimen_length_mm));
   command->add_option("--height-mm", options->height_mm, "instead of specimen.height_mm of the rock file")
-      ->check(finite_positive());
+      ->check(within("--height-mm", dem2d::specimen_length_mm));
   command
       ->add_option("--from-discs", options->discs_file,
                    "join the discs of this table (x_m, y_m, radius_m) instead of packing; the box is fitted to them "

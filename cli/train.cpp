@@ -88,6 +88,7 @@ void run(Options options) {
   require_outputs(options.common, {options.data_file, options.init_from}, {options.output});
   const std::size_t cases = surrogate::case_numbers(data).size();
   options.train.patience = options.patience.value_or(options.train.validation > 0.0 ? usual_patience : 0);
+  surrogate::check_options(options.train);
   if (options.common.check) {
     say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", options.data_file, data.rows.size(),
         cases, surrogate::output_count, surrogate::parameter_count(options.train.layers));
@@ -145,13 +146,13 @@ void add_train(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--batch", train.batch, "rows a step")->check(CLI::Range(1, 1000000))->capture_default_str();
   command->add_option("--learning-rate", train.learning_rate, "of Adam")
-      ->check(finite_positive())
+      ->check(within("--learning-rate", base::between(1e-9, 1.0)))
       ->capture_default_str();
   command->add_option("--seed", train.seed, "of initial weights, batches and split")
       ->check(CLI::Range(0, 2147483647))
       ->capture_default_str();
   command->add_option("--split", train.split, "share of the cases to learn from")
-      ->check(finite_positive())
+      ->check(within("--split", base::between(1e-3, 0.999)))
       ->capture_default_str();
   command->add_option("--init-from", options->init_from, "start from the networks of this model file")
       ->check(not_empty());
@@ -173,9 +174,9 @@ void add_train(CLI::App& app) {
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
   command
-      ->add_option("--patience", options->patience,
-                   fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})",
-                               usual_patience))
+      ->add_option(
+          "--patience", options->patience,
+          fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})", usual_patience))
       ->check(CLI::Range(0, 10000000));
   command->add_option("--starts", train.starts, "random starts, of which the best is kept")
       ->check(CLI::Range(1, 1000))

@@ -83,7 +83,8 @@ double value_of(const Unknown& unknown, const Micro& micro) {
   return unknown.relative_to ? value / micro[index_of(*unknown.relative_to)] : value;
 }
 
-/// Limits of the parameter, or of its ratio to another; a start outside widens them.
+/// Limits of the parameter, or of its ratio to another; a start outside widens them. Never outside what a rock file
+/// allows.
 Unknown limited(Unknown unknown, const Micro& start) {
   constexpr double unlimited = 1e6;  // times the start, both ways
   const double value = value_of(unknown, start);
@@ -95,6 +96,13 @@ Unknown limited(Unknown unknown, const Micro& start) {
   if (unknown.parameter == friction) unknown.low = least_friction, unknown.high = 2.0;
   unknown.low = std::min(unknown.low, value);
   unknown.high = std::max(unknown.high, value);
+  MicroLimits allowed = limits_of(unknown.parameter);
+  if (unknown.relative_to) {
+    const MicroLimits other = limits_of(*unknown.relative_to);
+    allowed = {allowed.low / other.high, allowed.high / other.low};
+  }
+  unknown.low = std::max(unknown.low, allowed.low);
+  unknown.high = std::min(unknown.high, allowed.high);
   return unknown;
 }
 
@@ -125,7 +133,9 @@ Micro micro_at(const std::vector<Unknown>& unknowns, const VectorXd& x, const Mi
   Eigen::Index j = 0;
   for (const Unknown& unknown : unknowns) {
     const double unit = unknown.relative_to ? micro[index_of(*unknown.relative_to)] : 1.0;
-    micro[index_of(unknown.parameter)] = rounded(unknown.parameter, std::exp(x[j++]) * unit);
+    const MicroLimits allowed = limits_of(unknown.parameter);
+    const double wanted = rounded(unknown.parameter, std::exp(x[j++]) * unit);
+    micro[index_of(unknown.parameter)] = std::clamp(wanted, allowed.low, allowed.high);
   }
   return micro;
 }

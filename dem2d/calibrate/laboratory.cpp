@@ -39,6 +39,15 @@ TestRecord record_of(const LabRun& run, int seed, const Micro& micro) {
           .wall_time = run.wall_time};
 }
 
+/// A ratio of cracks that opened says nothing about the stiffness that the search would change for it.
+void refuse_ratio_of_cracks(const TestRecord& record) {
+  if (record.test != LabTest::tension || record.poissons_ratio <= largest_poissons_ratio) return;
+  throw base::SimulationError(fmt::format(
+      "{} test of seed {}: nu = {:.3f} is not that of an elastic body (above {:g}): cracks below half the strength "
+      "opened, or the core fell apart",
+      name_of(record.test), record.seed, record.poissons_ratio, largest_poissons_ratio));
+}
+
 Evaluation summarised(const Micro& micro, const std::vector<Job>& jobs) {
   PerProperty<std::vector<double>> values;
   for (const Job& job : jobs) {
@@ -143,6 +152,7 @@ Evaluation Laboratory::evaluate(const Micro& micro, const std::vector<int>& seed
   count_.reused += static_cast<int>(jobs.size() - to_run.size());
   count_.tests += static_cast<int>(to_run.size());
   for (const std::size_t k : to_run) count_.core_seconds += jobs[k].record->wall_time;
+  for (const Job& job : jobs) refuse_ratio_of_cracks(*job.record);
   return summarised(micro, jobs);
 }
 

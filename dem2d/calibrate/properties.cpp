@@ -52,15 +52,23 @@ double bounded_deviation(MicroParameter strength, double deviation, double value
   return deviation > 0.5 * value ? four_digits(strength, 0.5 * value, down) : deviation;
 }
 
-/// Moves a number of the rock into the range that the rock file allows it.
-void keep_in_range(Rock& rock, double& number) {
+/// What a rock file allows of one number of `rock`, in SI.
+MicroLimits range_of(Rock& rock, const double& number) {
+  MicroLimits limits{number, number};
   for (const base::Section& section : describe(rock)) {
     for (const base::Field& field : section.fields) {
       const auto* target = std::get_if<double*>(&field.target);
       if (target == nullptr || *target != &number) continue;
-      number = std::clamp(number, field.range.low * field.si_per_unit, field.range.high * field.si_per_unit);
+      limits = {field.range.low * field.si_per_unit, field.range.high * field.si_per_unit};
     }
   }
+  return limits;
+}
+
+/// Moves a number of the rock into the range that the rock file allows it.
+void keep_in_range(Rock& rock, double& number) {
+  const MicroLimits limits = range_of(rock, number);
+  number = std::clamp(number, limits.low, limits.high);
 }
 
 }  // namespace
@@ -103,7 +111,15 @@ Rock with_micro(const Rock& rock, const Micro& micro) {
   keep_in_range(changed, changed.contact_modulus);
   keep_in_range(changed, changed.contact_stiffness_ratio);
   keep_in_range(changed, changed.contact_friction);
+  keep_in_range(changed, changed.residual_cohesion);
   return changed;
+}
+
+MicroLimits limits_of(MicroParameter parameter) {
+  Rock rock;
+  const double* const numbers[micro_count]{&rock.joint_modulus, &rock.joint_stiffness_ratio, &rock.tensile_strength,
+                                           &rock.cohesion, &rock.friction};
+  return range_of(rock, *numbers[index_of(parameter)]);
 }
 
 double rounded(MicroParameter parameter, double value) {

@@ -56,8 +56,17 @@ Micro micro_of(const Rock& rock);
 /// ranges of a rock file. What is not changed stays as it is, bit for bit.
 Rock with_micro(const Rock& rock, const Micro& micro);
 
+/// What a rock file allows of the parameter, in SI.
+struct MicroLimits {
+  double low, high;
+};
+MicroLimits limits_of(MicroParameter parameter);
+
 /// The parameter rounded to four digits of its file unit, so that a rock file holds exactly what was tested.
 double rounded(MicroParameter parameter, double value);
+
+/// Above it an elastic body would grow when it is pressed: no target, and no measurement that a search may follow.
+inline constexpr double largest_poissons_ratio = 0.5;
 
 /// Measured value against the wanted one, in tolerances' own measure: a share of the wanted value, or the difference.
 double error_of(Property property, double value, double wanted);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "dem2d/calibrate/properties.hpp"
 
@@ -34,6 +35,9 @@ double tolerance_of(const CalibrationTarget& target, Property property);
 /// Whether this test has anything to measure: tension gives the tensile strength, E and nu.
 bool needs_compression(const CalibrationTarget& target);
 bool needs_tension(const CalibrationTarget& target);
+
+/// What is allowed but out of reach of bonded discs in two dimensions, or hardly wanted, in words.
+std::vector<std::string> warnings(const CalibrationTarget& target);
 
 /// Reads and checks the target and its start rock; throws `base::InputError` with file, line and key.
 CalibrationTarget read_target(const std::filesystem::path& path);

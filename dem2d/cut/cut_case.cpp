@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/unit_hint.hpp"
 #include "base/units.hpp"
 #include "dem2d/specimen/genesis.hpp"
 #include "dem2d/specimen/grading.hpp"
@@ -32,41 +33,62 @@ constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 }  // namespace
 
 std::vector<base::Section> describe(CutCase& cut) {
-  using base::any, base::at_least, base::between, base::positive;
-  const base::Range step_factor{.low = 0.0, .high = longest_step_factor, .low_open = true};
+  using base::any, base::between, base::zero_or;
+  // Ten times beyond what there is, near enough to catch a slipped unit: cutters have 8 to 25 mm; the longest bed is a
+  // block of 10 m.
+  const base::Range cutter = between(0.5, 250.0);
+  const base::Range length = between(0.1, 1e4), from_zero = zero_or(0.01, 1e4);
+  const base::Range sampling = between(0.01, 1e4);  // a hundredth of the smallest grain, and less, to some grains
+  const base::Range margin = between(0.1, 1e3);     // chips that fly farther meet no rock any more
+  const base::Range step_factor = between(1e-3, longest_step_factor);  // smaller ones only cost time
   const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
   return {
       {"", {{"rock", &cut.rock_file, 1.0, any(), "rock file, relative to this file", true}}},
       {"cut",
-       {{"cutter_speed_m_per_s",
-         &cut.cutter_speed,
-         1.0,
-         {.low = 0.0, .high = 50.0, .low_open = true},
-         "along the surface",
-         true},
-        {"depth_of_cut_mm", &cut.depth_of_cut, mm, positive(), "surface above the tip", true},
-        {"back_rake_deg", &cut.back_rake, deg, between(0.0, 60.0), "lean of the face out of the vertical", true},
-        {"run_in_mm", &cut.run_in, mm, at_least(0.0), "travel before forces count: the fresh edge of the bed"},
-        {"cut_length_mm", &cut.cut_length, mm, positive(), "travel of the cutter after that"}}},
+       {{"cutter_speed_m_per_s", &cut.cutter_speed, 1.0, cutter_speed_m_per_s, "along the surface", true},
+        {"depth_of_cut_mm", &cut.depth_of_cut, mm, depth_of_cut_mm, "surface above the tip", true},
+        {"back_rake_deg", &cut.back_rake, deg, back_rake_deg, "lean of the face out of the vertical", true},
+        {"run_in_mm", &cut.run_in, mm, from_zero, "travel before forces count: the fresh edge of the bed"},
+        {"cut_length_mm", &cut.cut_length, mm, length, "travel of the cutter after that"}}},
       {"cutter",
-       {{"diameter_mm", &cut.cutter_diameter, mm, positive(), "length of the face"},
-        {"thickness_mm", &cut.cutter_thickness, mm, positive(), "behind the face"},
+       {{"diameter_mm", &cut.cutter_diameter, mm, cutter, "length of the face"},
+        {"thickness_mm", &cut.cutter_thickness, mm, cutter, "behind the face"},
         {"friction_coefficient", &cut.cutter_friction, 1.0, between(0.0, 10.0), "between cutter and rock"}}},
       {"bed",
-       {{"length_mm", &cut.bed_length, mm, positive(), "of the rock, along the cut"},
-        {"height_mm", &cut.bed_height, mm, positive(), "of the rock, from bottom to surface"},
-        {"moving_ahead_mm", &cut.moving_ahead, mm, at_least(0.0), "rock ahead of the tip that moves; 0: all of it"},
-        {"moving_behind_mm", &cut.moving_behind, mm, at_least(0.0), "rock behind the tip that moves; 0: all of it"}}},
+       {{"length_mm", &cut.bed_length, mm, length, "of the rock, along the cut"},
+        {"height_mm", &cut.bed_height, mm, length, "of the rock, from bottom to surface"},
+        {"moving_ahead_mm", &cut.moving_ahead, mm, from_zero, "rock ahead of the tip that moves; 0: all of it"},
+        {"moving_behind_mm", &cut.moving_behind, mm, from_zero, "rock behind the tip that moves; 0: all of it"}}},
       {"run",
        {{"local_damping", &cut.local_damping, 1.0, damping, "share of the unbalanced force"},
-        {"sampling_distance_um", &cut.sampling_distance, um, positive(), "travel between two force samples"},
+        {"sampling_distance_um", &cut.sampling_distance, um, sampling, "travel between two force samples"},
         {"step_factor", &cut.step_factor, 1.0, step_factor, "share of the longest stable step"},
-        {"domain_margin_mm", &cut.domain_margin, mm, positive(), "discs farther from the bed are removed"}}},
+        {"domain_margin_mm", &cut.domain_margin, mm, margin, "discs farther from the bed are removed"}}},
   };
 }
 
+namespace {
+
+/// What a study sizes by the depth of each case stays in the ranges of a cut file, too.
+void check_ranges(const CutCase& cut, const std::string& source) {
+  CutCase copy = cut;
+  for (const base::Section& section : describe(copy)) {
+    for (const base::Field& field : section.fields) {
+      const auto* number = std::get_if<double*>(&field.target);
+      if (number == nullptr || field.range.contains(**number / field.si_per_unit)) continue;
+      const double value = base::in_units(**number, field.si_per_unit);
+      if (field.range.contains(value)) continue;
+      throw base::InputError(fmt::format("{}: {}.{} = {:.6g} ({})", source, section.name, field.name, value,
+                                         base::out_of_range(field.name, value, field.range)));
+    }
+  }
+}
+
+}  // namespace
+
 void check_cut_case(const CutCase& cut, const std::string& source) {
   const auto refuse = [&source](const std::string& what) { throw base::InputError(source + ": " + what); };
+  check_ranges(cut, source);
   if (cut.depth_of_cut * (1.0 + depths_below) > cut.bed_height * rounding) {
     refuse(fmt::format(
         "cut.depth_of_cut_mm = {:.4g} (at most a third of bed.height_mm = {:.4g}: the bottom must not carry the chip)",
@@ -121,12 +143,25 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
 }
 
 std::vector<std::string> warnings(const CutCase& cut) {
+  std::vector<std::string> found;
   const double mean_diameter = cut.rock.radius_min + cut.rock.radius_max;
-  if (cut.depth_of_cut >= mean_diameter) return {};
-  return {fmt::format(
-      "cut.depth_of_cut_mm = {:.4g} is {:.2g} of a grain (mean diameter {:.4g} mm): the cutter ploughs through single "
-      "grains; take a rock of finer grains",
-      cut.depth_of_cut / mm, cut.depth_of_cut / mean_diameter, mean_diameter / mm)};
+  if (cut.depth_of_cut < mean_diameter) {
+    found.push_back(fmt::format(
+        "cut.depth_of_cut_mm = {:.4g} is {:.2g} of a grain (mean diameter {:.4g} mm): the cutter ploughs through "
+        "single grains; take a rock of finer grains",
+        cut.depth_of_cut / mm, cut.depth_of_cut / mean_diameter, mean_diameter / mm));
+  }
+  const auto look_at = [&](const char* key, double length) {
+    if (length >= mean_diameter) return;
+    found.push_back(
+        fmt::format("cutter.{} = {:.4g} is {:.2g} of a grain (mean diameter {:.4g} mm): the cutter is a needle among "
+                    "grains; is one "
+                    "of the two in another unit?",
+                    key, length / mm, length / mean_diameter, mean_diameter / mm));
+  };
+  look_at("diameter_mm", cut.cutter_diameter);
+  look_at("thickness_mm", cut.cutter_thickness);
+  return found;
 }
 
 CutCase read_cut_case(const std::filesystem::path& path) {

@@ -35,6 +35,12 @@ struct CutCase {
   double domain_margin = 20e-3;            ///< discs farther than this from the bed are removed [m]
 };
 
+/// What a case may be, in the units of its keys: ten times beyond what cutters do, near enough to catch a slipped unit
+/// (depths of cut are 0.1 to 10 mm). The rock ahead of a face that leans more than 60 degrees is not cut but ploughed.
+inline constexpr base::Range cutter_speed_m_per_s{.low = 0.0, .high = 50.0, .low_open = true};
+inline constexpr base::Range depth_of_cut_mm{.low = 0.01, .high = 100.0};
+inline constexpr base::Range back_rake_deg{.low = 0.0, .high = 60.0};
+
 /// The sections of the file without the rock, bound to `cut`.
 std::vector<base::Section> describe(CutCase& cut);
 
@@ -45,7 +51,7 @@ CutCase read_cut_case(const std::filesystem::path& path);
 /// whose message starts with `source`.
 void check_cut_case(const CutCase& cut, const std::string& source);
 
-/// What is allowed but hardly wanted, in words: a depth of cut below one grain.
+/// What is allowed but hardly wanted, in words: a depth of cut, or a cutter, below one grain.
 std::vector<std::string> warnings(const CutCase& cut);
 
 /// Case and rock as one TOML text: everything the result depends on but the seed.

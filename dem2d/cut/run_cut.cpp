@@ -24,6 +24,12 @@ namespace {
 // About a month on one core for a bed of a thousand discs; also keeps step counts far below what an int holds.
 constexpr double most_steps = 1e9;
 
+// Three years on one core: nobody waits for that, whatever the number of threads.
+constexpr double most_disc_steps = 1e15;
+
+// Of all frames together, which are held until the cut is done: some 6 GB.
+constexpr double most_discs_in_frames = 1e8, bytes_of_a_disc = 65.0;
+
 // In one step the cutter moves no more than this share of the smallest grain's diameter: a grain must feel it come.
 constexpr double motion_share = 0.01;
 
@@ -54,6 +60,11 @@ void hold_sides(World& world, const Specimen& bed, double tip_y) {
   }
 }
 
+double years(double disc_steps) {
+  constexpr double seconds_per_year = 3.156e7;
+  return disc_steps * typical_ns_per_disc_step * 1e-9 / seconds_per_year;
+}
+
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
@@ -61,6 +72,15 @@ double mean(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+void check_frames(int frames, double discs) {
+  if (frames * discs <= most_discs_in_frames) return;
+  throw base::InputError(
+      fmt::format("{} frames of about {:.3g} discs are {:.2g} GB in memory (at most {:.2g}; take {:.0f} "
+                  "frames or fewer)",
+                  frames, discs, frames * discs * bytes_of_a_disc * 1e-9, most_discs_in_frames * bytes_of_a_disc * 1e-9,
+                  std::floor(most_discs_in_frames / discs)));
+}
 
 World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& options) {
   World world = bonded_world(bed, options.threads);
@@ -90,6 +110,13 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step) {
                     "faster or shorter cut takes fewer)",
                     cut.cutter_speed, wanted * samples, critical_step, most_steps));
   }
+  const double discs = expected_discs(cut.rock, moving_length(cut), cut.bed_height);
+  if (wanted * samples * discs > most_disc_steps) {
+    throw base::InputError(fmt::format(
+        "cut.cutter_speed_m_per_s = {:.4g}: the cut would take {:.3g} steps of about {:.3g} discs, {:.2g} "
+        "years of one core (at most {:.2g}; a faster or shorter cut, or a smaller bed, takes less)",
+        cut.cutter_speed, wanted * samples, discs, years(wanted * samples * discs), years(most_disc_steps)));
+  }
   const int steps_per_sample = std::max(1, static_cast<int>(wanted));
   const double motion = cut.sampling_distance / steps_per_sample, allowed = motion_share * 2.0 * cut.rock.radius_min;
   if (motion > allowed) {
@@ -108,6 +135,7 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
                const base::ProgressCallback& progress) {
   const auto started = std::chrono::steady_clock::now();
   const double thread_started = base::thread_time();
+  check_frames(options.frames, static_cast<double>(bed.x.size()));
   World world = make_cut_world(cut, bed, options);
   const CutSchedule schedule = plan_steps(cut, world.step);
   world.step = schedule.step;

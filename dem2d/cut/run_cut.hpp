@@ -57,6 +57,9 @@ struct CutOptions {
 /// The bed, held at its sides, with the cutter (boundary 0), prepared, with its critical step.
 World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& options = {});
 
+/// Throws `InputError` when so many frames of so many discs do not fit into the memory of an ordinary machine.
+void check_frames(int frames, double discs);
+
 /// How the steps of a cut are laid out.
 struct CutSchedule {
   double step;  ///< [s], a whole number of steps fills one sampling interval
@@ -66,8 +69,8 @@ struct CutSchedule {
 
   long long steps() const { return samples * steps_per_sample; }
 };
-/// Throws `InputError` when the cut would take more than 1e9 steps, or the cutter would move more than a hundredth of
-/// the smallest grain in one.
+/// Throws `InputError` when the cut would take more than 1e9 steps, or years of one core, or the cutter would move more
+/// than a hundredth of the smallest grain in one step.
 CutSchedule plan_steps(const CutCase& cut, double critical_step);
 
 /// Throws `SimulationError` or, when stopped by the user, `Interrupted`.

@@ -62,6 +62,9 @@ struct Rock {
   double specimen_height = 100e-3;  ///< [m]
 };
 
+/// Sides of a specimen, in the unit of its keys: from a few grains of clay to a block of 10 m.
+inline constexpr base::Range specimen_length_mm{.low = 0.01, .high = 1e4};
+
 /// The sections of the file, bound to `rock` (base/config.hpp).
 std::vector<base::Section> describe(Rock& rock);
 

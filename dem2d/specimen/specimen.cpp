@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dem2d/specimen/pieces.hpp"
 #include "dem2d/step/pairs.hpp"
 
 namespace dem2d {
@@ -13,6 +14,9 @@ namespace dem2d {
 namespace {
 
 constexpr int fewest_firm_joints = 3;  // of a disc that is no floater
+
+// Some floaters in the middle of a packing are as usual; a twentieth of the discs apart is not [1].
+constexpr double least_largest_piece = 0.95;
 
 /// Area of the lens shared by two overlapping discs of radius a and b at distance d [m2].
 double lens_area(double a, double b, double d) {
@@ -72,6 +76,19 @@ int floaters(const Specimen& specimen) {
   for (const int disc : specimen.disc2) ++joints[static_cast<std::size_t>(disc)];
   return static_cast<int>(
       std::count_if(joints.begin(), joints.end(), [](int count) { return count < fewest_firm_joints; }));
+}
+
+std::vector<std::string> warnings(const Specimen& specimen) {
+  const std::vector<int> piece = label_pieces(specimen.x.size(), specimen.disc1, specimen.disc2);
+  if (piece.empty()) return {};
+  const auto largest = static_cast<double>(std::count(piece.begin(), piece.end(), 0));
+  const double share = largest / static_cast<double>(piece.size());
+  if (share >= least_largest_piece) return {};
+  return {
+      fmt::format("the {} discs hang together in {} pieces, the largest has {:.3g} % of them: what is tested or cut is "
+                  "no single block of rock (a larger flat_joints.installation_gap_mm joins discs that lie farther "
+                  "apart)",
+                  piece.size(), *std::max_element(piece.begin(), piece.end()) + 1, 100.0 * share)};
 }
 
 }  // namespace dem2d

@@ -46,4 +46,7 @@ double coordination_number(const Specimen& specimen);
 /// Discs with fewer than three joints, too few to be held firmly [PotyondyCundall2004].
 int floaters(const Specimen& specimen);
 
+/// What is allowed but hardly wanted, in words: discs that hang together in pieces.
+std::vector<std::string> warnings(const Specimen& specimen);
+
 }  // namespace dem2d

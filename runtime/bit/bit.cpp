@@ -1,5 +1,10 @@
 #include "runtime/bit/bit.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
 #include "base/errors.hpp"
 #include "base/units.hpp"
 
@@ -9,6 +14,9 @@ namespace {
 
 using base::deg, base::mm;
 
+// The rings of a single-set bit cover its face once. Rounding and a missing centre are less than this [1].
+constexpr double allowed_width_error = 0.1;
+
 /// The words of the file and the seed on their way to enumerations and an unsigned seed.
 struct Words {
   std::string combine = "sum";
@@ -17,23 +25,24 @@ struct Words {
 };
 
 base::Section describe(Bit& bit, Words& words) {
+  const base::Range diameter = base::between(10.0, 5000.0);  // from a core bit on the bench to a shaft
   const base::Range window = base::between(1.0, 360.0);
-  const base::Range factor{.low = 0.0, .high = 2.0, .low_open = true};
+  const base::Range factor = base::between(0.01, 2.0);  // pulses without width have no force
   return {"bit",
           {{"name", &bit.name, 1.0, base::any(), "for people", true},
-           {"diameter_mm", &bit.diameter, mm, base::between(1.0, 1e4), "diameter of the bit", true},
+           {"diameter_mm", &bit.diameter, mm, diameter, "diameter of the bit", true},
            {"window_angle_deg", &bit.signal.window_angle, deg, window, "angle over which peaks are drawn together"},
            {"pulse_width_factor", &bit.signal.pulse_width_factor, 1.0, factor,
             "half-width of a peak over half the mean distance of peaks"},
            {"combine", &words.combine, 1.0, base::any(), "overlapping peaks: 'sum' or 'max'"},
            {"amplitude_fit", &words.amplitude_fit, 1.0, base::any(),
             "how heights meet their mean: 'band_preserving' or 'article'"},
-           {"seed", &words.seed, 1.0, base::at_least(0.0), "of all random draws"}}};
+           {"seed", &words.seed, 1.0, base::between(0, 2147483647), "of all random draws"}}};
 }
 
 base::Section describe(Cutter& cutter, double bit_diameter) {
-  const base::Range width{.low = 0.0, .high = bit_diameter / mm, .low_open = true};
-  const base::Range radius{.low = 0.0, .high = 0.5 * bit_diameter / mm, .low_open = true};
+  const base::Range width = base::between(0.01, bit_diameter / mm);  // a cutter thinner than any grain cuts nothing
+  const base::Range radius = base::between(0.01, 0.5 * bit_diameter / mm);
   return {"cutter",
           {{"radius_mm", &cutter.radius, mm, radius, "from the axis of the bit to the middle of the cutter", true},
            {"width_mm", &cutter.width, mm, width, "effective width", true},
@@ -68,6 +77,34 @@ Bit read_bit(base::ConfigFile& file) {
   file.refuse_unknown();
   if (count == 0) throw base::InputError(file.name() + ": no [[cutter]] (a bit needs at least one)");
   return bit;
+}
+
+std::vector<std::string> warnings(const Bit& bit) {
+  std::vector<std::string> found;
+  if (bit.cutters.empty()) return found;
+  double width = 0.0;
+  for (const Cutter& cutter : bit.cutters) width += cutter.width;
+  const double share = width / (0.5 * bit.diameter);
+  if (std::abs(share - 1.0) > allowed_width_error) {
+    found.push_back(fmt::format(
+        "bit '{}': the widths of its {} cutters add up to {:.4g} mm, {:.3g} of its radius of {:.4g} mm: each cutter "
+        "takes the whole depth of its ring, so {}",
+        bit.name, bit.cutters.size(), width / mm, share, 0.5 * bit.diameter / mm,
+        share < 1.0 ? "rock is left standing and the force is too small"
+                    : "some rock is cut twice and the force is too "
+                      "large"));
+  }
+  std::map<double, int> first_on;  // the cutter that is first on each circle
+  std::string shared;
+  for (const Cutter& cutter : bit.cutters) {
+    const auto [first, is_new] = first_on.emplace(cutter.radius, cutter.number);
+    if (!is_new) shared += fmt::format("{}{} and {}", shared.empty() ? "" : ", ", first->second, cutter.number);
+  }
+  if (!shared.empty()) {
+    found.push_back(
+        fmt::format("bit '{}': cutters run on one circle, and each takes the whole depth there: {}", bit.name, shared));
+  }
+  return found;
 }
 
 Bit read_bit(const std::filesystem::path& path) {

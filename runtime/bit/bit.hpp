@@ -36,4 +36,7 @@ inline constexpr double default_window_angle_deg = 60.0;
 Bit read_bit(base::ConfigFile& file);
 Bit read_bit(const std::filesystem::path& path);
 
+/// What is allowed but hardly meant, in words: cutters that leave rock standing between them, or take some of it twice.
+std::vector<std::string> warnings(const Bit& bit);
+
 }  // namespace runtime

@@ -16,10 +16,8 @@ namespace {
 
 constexpr double rpm = 2.0 * std::numbers::pi / 60.0;      // [rad/s]
 constexpr double metre_per_hour = 1.0 / 3600.0;            // [m/s]
+constexpr double rounding = 1.0 + 1e-12;                   // of a unit conversion there and back
 constexpr std::size_t samples_between_reports = 1u << 16;  // some milliseconds of work
-
-// No bit turns slower or faster while it drills; the limits keep angles and depths within what numbers can hold [rpm].
-constexpr double slowest = 0.01, fastest = 10000.0;
 
 void require_above_zero(double value, const char* name, const char* unit) {
   if (!(std::isfinite(value) && value > 0.0)) {
@@ -28,15 +26,15 @@ void require_above_zero(double value, const char* name, const char* unit) {
 }
 
 std::size_t checked_samples(const ConstantSpeed& run) {
-  if (!(run.rotation >= slowest * rpm && run.rotation <= fastest * rpm)) {
+  if (!(run.rotation * rounding >= slowest_rpm * rpm && run.rotation <= fastest_rpm * rpm * rounding)) {
     throw base::InputError(fmt::format("rotation = {:.6g} rpm (must be at least {} and at most {})", run.rotation / rpm,
-                                       slowest, fastest));
+                                       slowest_rpm, fastest_rpm));
   }
   require_above_zero(run.duration, "duration", "s");
   require_above_zero(run.rate, "rate", "Hz");
-  if (!(std::isfinite(run.rate_of_penetration) && run.rate_of_penetration >= 0.0)) {
-    throw base::InputError(fmt::format("rate of penetration = {:.6g} m/h (must be finite and 0 or more)",
-                                       run.rate_of_penetration / metre_per_hour));
+  if (!(run.rate_of_penetration >= 0.0 && run.rate_of_penetration <= fastest_m_per_h * metre_per_hour * rounding)) {
+    throw base::InputError(fmt::format("rate of penetration = {:.6g} m/h (must be at least 0 and at most {})",
+                                       run.rate_of_penetration / metre_per_hour, fastest_m_per_h));
   }
   // 0.1 s at 30 Hz is a hair above 3 in binary and yet 3 samples
   const double samples = std::max(1.0, std::ceil(run.duration * run.rate * (1.0 - 1e-15)));

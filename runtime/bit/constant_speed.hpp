@@ -9,9 +9,13 @@
 
 namespace runtime {
 
+/// No bit turns slower or faster while it drills, and none advances faster: soft sand takes some 150 m/h. The limits
+/// keep angles and depths within what numbers can hold.
+inline constexpr double slowest_rpm = 0.01, fastest_rpm = 1e4, fastest_m_per_h = 2000.0;
+
 struct ConstantSpeed {
-  double rotation = 0.0;             ///< [rad/s] 0.01 to 10,000 rpm
-  double rate_of_penetration = 0.0;  ///< [m/s] 0 or more; 0 gives a load of 0
+  double rotation = 0.0;             ///< [rad/s] `slowest_rpm` to `fastest_rpm`
+  double rate_of_penetration = 0.0;  ///< [m/s] 0 to `fastest_m_per_h`; 0 gives a load of 0
   double duration = 0.0;             ///< [s] above 0
   double rate = 0.0;                 ///< [Hz] samples a second, above 0
 };

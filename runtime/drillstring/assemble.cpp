@@ -12,7 +12,7 @@ namespace runtime {
 
 namespace {
 
-constexpr double kN = 1e3, ms = 1e-3;
+constexpr double ms = 1e-3;
 
 /// Lists as a file gives them, with the missing first spring and wall dampings.
 Chain completed(Chain chain) {
@@ -103,23 +103,6 @@ DrillString assemble(const DrillCase& drill) {
   require_sensible(drill.name, "axial", string.axial);
   require_sensible(drill.name, "torsional", string.torsional);
   return string;
-}
-
-std::vector<std::string> warnings(const DrillCase& drill, const DrillString& string) {
-  std::vector<std::string> found;
-  const double weight = static_weight_on_bit(string);
-  if (string.axial.size() > 0 && weight == 0.0) {
-    found.push_back("hook load and jets carry the whole string: the bit will leave the rock and not come back");
-  } else if (weight <= string.bit.threshold_weight) {
-    found.push_back(
-        fmt::format("static weight on bit {:.4g} kN does not exceed threshold_weight_kN = {:.4g}: nothing is cut",
-                    weight / kN, string.bit.threshold_weight / kN));
-  }
-  if (drill.drive.imposes_speed && drill.drive.rotation == 0.0)
-    found.push_back("rotation_rpm = 0: the string does not turn, nothing is cut");
-  if (drill.source.kind == SourceKind::bit && string.axial.size() == 0)
-    found.push_back("without an axial chain the source's axial force has nothing to act on");
-  return found;
 }
 
 BitSupport axial_support(const DrillString& string) {

@@ -14,22 +14,23 @@ namespace runtime {
 
 namespace {
 
-using base::any, base::between, base::deg, base::GPa, base::mm, base::MPa;
+using base::any, base::between, base::zero_or, base::deg, base::GPa, base::mm, base::MPa;
 
 constexpr double rpm = 2.0 * std::numbers::pi / 60.0, kN = 1e3, ms = 1e-3, mm2 = 1e-6;
 constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 constexpr double most_steps = 1e9;    // an hour or two of one core
 
-// In the unit of the key. What lies outside is a slip of the pen, and its products would leave the range of a double.
-constexpr double smallest = 1e-12, largest = 1e15;
-
-base::Range positive() {
-  return between(smallest, largest);
-}
-
-base::Range at_least(double low) {
-  return between(low, largest);
-}
+// Ranges, in the unit of the key: about ten times beyond what there is, down to rigs on a laboratory bench and up to
+// the deepest wells; near enough to catch a slipped unit.
+const base::Range diameter = between(1.0, 2000.0), arm = zero_or(1.0, 2000.0);  // mm: from a wire to a riser
+const base::Range force = between(0.0, 1e5);                                    // kN; the strongest rigs carry 12,000
+const base::Range ratio_of_forces = between(0.0, 10.0);
+const base::Range mass = between(1e-3, 1e7), inertia = between(1e-6, 1e6);                       // kg, kg m2: of a lump
+const base::Range axial_spring = between(1.0, 1e13), axial_damper = between(0.0, 1e10);          // N/m, N s/m
+const base::Range torsional_spring = between(1e-3, 1e10), torsional_damper = between(0.0, 1e8);  // N m/rad, N m s/rad
+const base::Range bit_mass = between(0.0, 1e5), bit_inertia = between(0.0, 1e5);  // kg, kg m2; with its motor
+const base::Range torque = between(0.0, 1e7);                                     // N m; ten times the top drive's
+const base::Range duration = between(1e-3, 1e6), pause = between(0.0, 1e6);       // s; 1e6 s are eleven days
 
 /// Words of the file on their way to enumerations.
 struct Words {
@@ -76,15 +77,18 @@ std::string word_of(Enum value, const Meanings<Enum, n>& meanings) {
 }
 
 base::Section describe(PipeSection& pipe) {
-  const base::Range density = between(100.0, 1e5);
+  // The deepest wells have 15 km. Plastic pipe to sintered carbide; light alloy to tungsten; no pipe has 10 t/m.
+  const base::Range length = between(1e-3, 2e4), youngs = between(0.1, 2000.0), shear = between(0.03, 1000.0);
+  const base::Range density = between(500.0, 3e4), linear_mass = zero_or(0.01, 1e4);
+  const base::Range bore = zero_or(0.5, 2000.0);
   return {"pipe",
-          {{"length_m", &pipe.length, 1.0, positive(), "of the section", true},
-           {"outer_diameter_mm", &pipe.outer_diameter, mm, positive(), "of the pipe body", true},
-           {"inner_diameter_mm", &pipe.inner_diameter, mm, at_least(0.0), "of the pipe body", true},
-           {"youngs_modulus_GPa", &pipe.youngs_modulus, GPa, positive(), "of the steel"},
-           {"shear_modulus_GPa", &pipe.shear_modulus, GPa, positive(), "of the steel"},
+          {{"length_m", &pipe.length, 1.0, length, "of the section", true},
+           {"outer_diameter_mm", &pipe.outer_diameter, mm, diameter, "of the pipe body", true},
+           {"inner_diameter_mm", &pipe.inner_diameter, mm, bore, "of the pipe body", true},
+           {"youngs_modulus_GPa", &pipe.youngs_modulus, GPa, youngs, "of the steel"},
+           {"shear_modulus_GPa", &pipe.shear_modulus, GPa, shear, "of the steel"},
            {"density_kg_per_m3", &pipe.density, 1.0, density, "of the steel"},
-           {"linear_mass_kg_per_m", &pipe.linear_mass, 1.0, at_least(0.0), "with tool joints; 0: of the body"}}};
+           {"linear_mass_kg_per_m", &pipe.linear_mass, 1.0, linear_mass, "with tool joints; 0: of the body"}}};
 }
 
 base::Section describe_string(DrillCase& drill, Words& words) {
@@ -99,38 +103,38 @@ base::Section describe_string(DrillCase& drill, Words& words) {
 
 base::Section describe_axial(Chain& chain) {
   return {"axial",
-          {{"mass_kg", &chain.inertia, 1.0, positive(), "of each lump, from top to bottom"},
-           {"stiffness_N_per_m", &chain.stiffness, 1.0, positive(), "of the springs between them: one less"},
-           {"damping_N_s_per_m", &chain.damping, 1.0, at_least(0.0), "of the dampers beside the springs"}}};
+          {{"mass_kg", &chain.inertia, 1.0, mass, "of each lump, from top to bottom"},
+           {"stiffness_N_per_m", &chain.stiffness, 1.0, axial_spring, "of the springs between them: one less"},
+           {"damping_N_s_per_m", &chain.damping, 1.0, axial_damper, "of the dampers beside the springs"}}};
 }
 
 base::Section describe_torsion(Chain& chain) {
   return {"torsion",
-          {{"inertia_kg_m2", &chain.inertia, 1.0, positive(), "of each lump, from top to bottom"},
-           {"stiffness_N_m_per_rad", &chain.stiffness, 1.0, positive(), "of the spring above each lump"},
-           {"damping_N_m_s_per_rad", &chain.damping, 1.0, at_least(0.0), "of the damper beside each spring"}}};
+          {{"inertia_kg_m2", &chain.inertia, 1.0, inertia, "of each lump, from top to bottom"},
+           {"stiffness_N_m_per_rad", &chain.stiffness, 1.0, torsional_spring, "of the spring above each lump"},
+           {"damping_N_m_s_per_rad", &chain.damping, 1.0, torsional_damper, "of the damper beside each spring"}}};
 }
 
 base::Section describe_friction(const char* name, Friction& friction, std::string& law) {
+  const base::Range shape = between(0.0, 1000.0), time = between(0.0, 1000.0);  // published humps have shapes below 10
   return {name,
           {{"law", &law, 1.0, any(), "'none', 'smooth' or 'stribeck'"},
-           {"mu0", &friction.smooth.mu0, 1.0, at_least(0.0), "smooth: scale"},
-           {"alpha_s", &friction.smooth.alpha, 1.0, at_least(0.0), "smooth: hump"},
-           {"beta", &friction.smooth.beta, 1.0, at_least(0.0), "smooth: end of the hump, speeds in rad/s"},
+           {"mu0", &friction.smooth.mu0, 1.0, ratio_of_forces, "smooth: scale"},
+           {"alpha_s", &friction.smooth.alpha, 1.0, shape, "smooth: hump"},
+           {"beta", &friction.smooth.beta, 1.0, shape, "smooth: end of the hump, speeds in rad/s"},
            {"gamma", &friction.smooth.gamma, 1.0, between(0.5, 10.0), "smooth: fall of the hump"},
-           {"nu_s", &friction.smooth.nu, 1.0, at_least(0.0), "smooth: viscous share"},
-           {"resting", &friction.stribeck.resting, 1.0, at_least(0.0), "stribeck: coefficient at rest"},
-           {"sliding", &friction.stribeck.sliding, 1.0, at_least(0.0), "stribeck: coefficient at high speed"},
-           {"decay_s", &friction.stribeck.decay, 1.0, at_least(0.0), "stribeck: fall from one to the other"}}};
+           {"nu_s", &friction.smooth.nu, 1.0, ratio_of_forces, "smooth: viscous share"},
+           {"resting", &friction.stribeck.resting, 1.0, ratio_of_forces, "stribeck: coefficient at rest"},
+           {"sliding", &friction.stribeck.sliding, 1.0, ratio_of_forces, "stribeck: coefficient at high speed"},
+           {"decay_s", &friction.stribeck.decay, 1.0, time, "stribeck: fall from one to the other"}}};
 }
 
 /// What drives the string, and the bit with its frictions.
 std::vector<base::Section> describe_operation(DrillCase& drill, Words& words) {
-  const base::Range speed = between(0.0, 500.0);
+  const base::Range speed = zero_or(0.01, 500.0), drive_torque = between(0.0, 1e3);  // top drives give 120 kN m
   base::Section wall = describe_friction("wall", drill.wall_friction, words.wall);
-  wall.fields.push_back(
-      {"normal_force_kN", &drill.wall_force, kN, at_least(0.0), "of the wall on each torsional lump"});
-  wall.fields.push_back({"radius_mm", &drill.wall_radius, mm, at_least(0.0), "arm of that friction"});
+  wall.fields.push_back({"normal_force_kN", &drill.wall_force, kN, force, "of the wall on each torsional lump"});
+  wall.fields.push_back({"radius_mm", &drill.wall_radius, mm, arm, "arm of that friction"});
   return {
       {"",
        {{"name", &drill.name, 1.0, any(), "for people", true},
@@ -138,18 +142,17 @@ std::vector<base::Section> describe_operation(DrillCase& drill, Words& words) {
       {"top_drive",
        {{"imposes", &words.imposes, 1.0, any(), "'speed' or 'torque'"},
         {"rotation_rpm", &drill.drive.rotation, rpm, speed, "imposed speed"},
-        {"torque_kN_m", &drill.drive.torque, kN, between(0.0, 1e3), "imposed torque"},
-        {"ramp_s", &drill.drive.ramp, 1.0, at_least(0.0), "time to full speed or torque; 0: at once"},
-        {"hook_load_kN", &drill.drive.hook_load, kN, at_least(0.0), "upward force on the top of the string"},
-        {"inertia_kg_m2", &drill.drive_inertia, 1.0, at_least(0.0), "of a drive that imposes torque"},
-        {"damping_N_m_s_per_rad", &drill.drive_damping, 1.0, at_least(0.0), "of that drive"}}},
+        {"torque_kN_m", &drill.drive.torque, kN, drive_torque, "imposed torque"},
+        {"ramp_s", &drill.drive.ramp, 1.0, pause, "time to full speed or torque; 0: at once"},
+        {"hook_load_kN", &drill.drive.hook_load, kN, force, "upward force on the top of the string"},
+        {"inertia_kg_m2", &drill.drive_inertia, 1.0, between(0.0, 1e6), "of a drive that imposes torque"},
+        {"damping_N_m_s_per_rad", &drill.drive_damping, 1.0, torsional_damper, "of that drive"}}},
       {"bit",
        {{"file", &drill.bit_file, 1.0, any(), "bit file, relative to this file"},
-        {"mass_kg", &drill.bit_mass, 1.0, at_least(0.0), "added to the lowest axial lump"},
-        {"inertia_kg_m2", &drill.bit_inertia, 1.0, at_least(0.0), "added to the lowest inertia; 0: of a cylinder"},
-        {"damping_N_m_s_per_rad", &drill.bit_damping, 1.0, at_least(0.0), "against the ground"},
-        {"friction_radius_mm", &drill.bit_rock.friction_radius, mm, at_least(0.0),
-         "arm; 0: mean radius of the cutters"}}},
+        {"mass_kg", &drill.bit_mass, 1.0, bit_mass, "added to the lowest axial lump"},
+        {"inertia_kg_m2", &drill.bit_inertia, 1.0, bit_inertia, "added to the lowest inertia; 0: of a cylinder"},
+        {"damping_N_m_s_per_rad", &drill.bit_damping, 1.0, torsional_damper, "against the ground"},
+        {"friction_radius_mm", &drill.bit_rock.friction_radius, mm, arm, "arm; 0: mean radius of the cutters"}}},
       describe_friction("friction", drill.bit_rock.friction, words.friction),
       wall,
   };
@@ -160,52 +163,60 @@ std::vector<base::Section> describe_bit_rock(DrillCase& drill, Words& words) {
   BitRock& rock = drill.bit_rock;
   RootAdvance& root = rock.root_advance;
   RegularizedAdvance& regularized = rock.regularized_advance;
+  // 1e-5 at 1 kN and 60 rpm are 90 m/h; the regularized constants at 1e3 times those that are known.
+  const base::Range c1 = between(0.0, 1e-5), a1 = between(0.0, 5.0), a2 = between(0.0, 1e-4), a3 = between(0.0, 0.1);
+  const base::Range weight = between(0.0, 1e4);  // kN; the largest bits bear 500
+  const base::Range lift = zero_or(0.01, 100.0), averaging = between(1e-3, 100.0);
+  const base::Range pressure = between(0.0, 500.0), nozzles = zero_or(1.0, 1e5);  // ten times pumps and nozzles
+  const base::Range density = zero_or(10.0, 3000.0);  // a gas carries nothing, mud has 1000 to 2200
   return {
       {"drilling",
        {{"law", &words.advance, 1.0, any(), "'root', 'regularized' or 'none'"},
-        {"c1_m_per_s_per_N_per_sqrt_rad_per_s", &root.c1, 1.0, at_least(0.0), "root: C1"},
+        {"c1_m_per_s_per_N_per_sqrt_rad_per_s", &root.c1, 1.0, c1, "root: C1"},
         {"c2_m_per_s", &root.c2, 1.0, between(-1.0, 0.0), "root: C2"},
-        {"a1_m_per_s", &regularized.a1, 1.0, at_least(0.0), "regularized: a1"},
-        {"a2_m_per_s_per_N", &regularized.a2, 1.0, at_least(0.0), "regularized: a2"},
-        {"a3_m_per_rad", &regularized.a3, 1.0, at_least(0.0), "regularized: a3"},
-        {"threshold_weight_kN", &rock.threshold_weight, kN, at_least(0.0), "weight that does not yet drill"},
-        {"imposed_weight_kN", &rock.imposed_weight, kN, at_least(0.0), "weight on bit without an axial chain"}}},
+        {"a1_m_per_s", &regularized.a1, 1.0, a1, "regularized: a1"},
+        {"a2_m_per_s_per_N", &regularized.a2, 1.0, a2, "regularized: a2"},
+        {"a3_m_per_rad", &regularized.a3, 1.0, a3, "regularized: a3"},
+        {"threshold_weight_kN", &rock.threshold_weight, kN, weight, "weight that does not yet drill"},
+        {"imposed_weight_kN", &rock.imposed_weight, kN, weight, "weight on bit without an axial chain"}}},
       {"bit_rock",
-       {{"stiffness_N_per_m", &rock.contact.stiffness, 1.0, positive(), "under the bit"},
-        {"damping_N_s_per_m", &rock.contact.damping, 1.0, at_least(0.0), "under the bit"},
-        {"fracture_stiffness_N_m_per_rad", &rock.fracture_stiffness, 1.0, positive(), "before the cutters"},
+       {{"stiffness_N_per_m", &rock.contact.stiffness, 1.0, axial_spring, "under the bit"},
+        {"damping_N_s_per_m", &rock.contact.damping, 1.0, axial_damper, "under the bit"},
+        {"fracture_stiffness_N_m_per_rad", &rock.fracture_stiffness, 1.0, torsional_spring, "before the cutters"},
         {"unloading", &words.unloading, 1.0, any(), "of that spring when the bit turns back: 'free' or 'elastic'"},
         {"axial_source", &words.axial_source, 1.0, any(), "'full', 'fluctuation' or 'none'"},
-        {"engagement_depth_mm", &rock.engagement_depth, mm, at_least(0.0), "lift at which cutters are out of the rock"},
-        {"averaging_time_s", &rock.averaging_time, 1.0, positive(), "of rotation and ROP before the source"}}},
+        {"engagement_depth_mm", &rock.engagement_depth, mm, lift, "lift at which cutters are out of the rock"},
+        {"averaging_time_s", &rock.averaging_time, 1.0, averaging, "of rotation and ROP before the source"}}},
       {"fluid",
-       {{"pressure_drop_MPa", &drill.pressure_drop, MPa, at_least(0.0), "over the bit"},
-        {"nozzle_area_mm2", &drill.nozzle_area, mm2, at_least(0.0), "of all nozzles"},
+       {{"pressure_drop_MPa", &drill.pressure_drop, MPa, pressure, "over the bit"},
+        {"nozzle_area_mm2", &drill.nozzle_area, mm2, nozzles, "of all nozzles"},
         {"jet_force", &words.jets, 1.0, any(), "'up' or 'down'"},
-        {"density_kg_per_m3", &drill.fluid_density, 1.0, between(0.0, 3000.0), "around the pipes"}}},
+        {"density_kg_per_m3", &drill.fluid_density, 1.0, density, "around the pipes"}}},
   };
 }
 
 std::vector<base::Section> describe_run(DrillCase& drill, Words& words) {
-  const base::Range seed = between(-1, 2147483647);
+  const base::Range seed = between(-1, 2147483647), waves = between(1e-3, 1e4);
+  const base::Range step = between(1e-6, 1e3), sample = between(1e-6, 1e9);  // ms
+  const base::Range lift = zero_or(0.01, 1e5);                               // mm
   return {
       {"excitation",
        {{"source", &words.source, 1.0, any(), "'none', 'sinusoidal', 'noise' or 'bit'"},
         {"model", &drill.source.model_file, 1.0, any(), "bit: model.json, relative to this file"},
         {"seed", &drill.source.seed, 1.0, seed, "noise, bit: of the draws; -1: that of the bit file, or 1"},
-        {"force_mean_kN", &drill.source.force.mean, kN, at_least(0.0), "sinusoidal, noise"},
-        {"force_deviation_kN", &drill.source.force.deviation, kN, at_least(0.0), "sinusoidal, noise"},
-        {"torque_mean_N_m", &drill.source.torque.mean, 1.0, at_least(0.0), "sinusoidal, noise"},
-        {"torque_deviation_N_m", &drill.source.torque.deviation, 1.0, at_least(0.0), "sinusoidal, noise"},
-        {"waves_per_turn", &drill.source.waves_per_turn, 1.0, positive(), "sinusoidal"},
+        {"force_mean_kN", &drill.source.force.mean, kN, force, "sinusoidal, noise"},
+        {"force_deviation_kN", &drill.source.force.deviation, kN, force, "sinusoidal, noise"},
+        {"torque_mean_N_m", &drill.source.torque.mean, 1.0, torque, "sinusoidal, noise"},
+        {"torque_deviation_N_m", &drill.source.torque.deviation, 1.0, torque, "sinusoidal, noise"},
+        {"waves_per_turn", &drill.source.waves_per_turn, 1.0, waves, "sinusoidal"},
         {"piece_deg", &drill.source.piece_angle, deg, between(0.01, 360.0), "noise: angle of one draw"}}},
       {"run",
-       {{"duration_s", &drill.run.duration, 1.0, positive(), "simulated time", true},
-        {"step_ms", &drill.run.step, ms, positive(), "of the solver"},
-        {"sample_ms", &drill.run.sample, ms, positive(), "between rows of the result"},
-        {"settling_s", &drill.run.settling, 1.0, at_least(0.0), "at the beginning, left out of the summary"},
+       {{"duration_s", &drill.run.duration, 1.0, duration, "simulated time", true},
+        {"step_ms", &drill.run.step, ms, step, "of the solver"},
+        {"sample_ms", &drill.run.sample, ms, sample, "between rows of the result"},
+        {"settling_s", &drill.run.settling, 1.0, pause, "at the beginning, left out of the summary"},
         {"start", &words.start, 1.0, any(), "'turning' or 'rest'"},
-        {"off_bottom_mm", &drill.run.off_bottom, mm, at_least(0.0), "lift of the bit at the beginning"}}},
+        {"off_bottom_mm", &drill.run.off_bottom, mm, lift, "lift of the bit at the beginning"}}},
   };
 }
 

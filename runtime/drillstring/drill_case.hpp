@@ -76,8 +76,16 @@ std::string resolved_toml(const DrillCase& drill);
 /// Throws `InputError` when the parts do not make a drill string.
 DrillString assemble(const DrillCase& drill);
 
-/// What the user should know before a run: a weight on bit that never reaches the threshold, and the like.
+/// What the user should know before a run: a weight on bit that never reaches the threshold, or that no bit bears, a
+/// string out of balance at the beginning, and the like.
 std::vector<std::string> warnings(const DrillCase& drill, const DrillString& string);
+
+/// Above it bits are not run [N], as far as is known here; endless where the bit is not known.
+double most_weight_on_bit(const Bit& bit);
+
+/// The same of the load of the source: one that pushes harder than the weight on bit leaves nothing in balance. Asks
+/// `load` for some turns, so it must be one that no run goes on with.
+std::vector<std::string> warnings_of_load(const DrillString& string, const BitRockSource& load);
 
 /// **What** Longest stable step of the linear chains with rock spring, broken rock and the steepest friction in place.
 /// **Validity** Friction is counted at the static weight on bit; leave room for the peaks of a bouncing bit.

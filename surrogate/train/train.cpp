@@ -41,43 +41,6 @@ class Progress {
   std::array<int, output_count> done_{};
 };
 
-void check(const TrainOptions& options) {
-  const auto refuse = [](const std::string& what) { throw base::InputError(what); };
-  if (options.epochs < 1) refuse(fmt::format("epochs = {} (must be at least 1)", options.epochs));
-  if (options.patience < 0) refuse(fmt::format("patience = {} (must be at least 0)", options.patience));
-  if (options.smoothing < 0) refuse(fmt::format("smoothing = {} (must be at least 0)", options.smoothing));
-  if (options.starts < 1) refuse(fmt::format("starts = {} (must be at least 1)", options.starts));
-  if (!(options.validation >= 0.0 && options.validation < 1.0)) {
-    refuse(fmt::format("validation = {} (must be at least 0 and below 1)", options.validation));
-  }
-  if (options.patience > 0 && options.validation == 0.0) {
-    refuse(fmt::format("patience = {} without validation (no cases are kept to say when to stop)", options.patience));
-  }
-  if (options.batch < 1) refuse(fmt::format("batch = {} (must be at least 1)", options.batch));
-  if (options.threads < 0) refuse(fmt::format("threads = {} (must be at least 0)", options.threads));
-  if (!(options.learning_rate > 0.0) || !std::isfinite(options.learning_rate)) {
-    refuse(fmt::format("learning rate = {} (must be above 0)", options.learning_rate));
-  }
-  const std::string problem = layers_problem(options.layers);
-  if (!problem.empty()) refuse("the network has " + problem);
-  if (options.layers.front() != input_count || options.layers.back() != 1) {
-    refuse(fmt::format("layers {} (must begin with {} and end with 1)", fmt::join(options.layers, "-"), input_count));
-  }
-  if (options.init_from == nullptr) return;
-  for (const OutputModel& output : options.init_from->outputs) {
-    if (output.network.layers != options.layers) {
-      refuse(fmt::format("the model to start from has layers {} for {} (must be {}, as in this training)",
-                         fmt::join(output.network.layers, "-"), output.variable.name, fmt::join(options.layers, "-")));
-    }
-    if (output.network.output != options.output || (output.log_reference > 0.0) != options.log_targets) {
-      refuse(fmt::format("the model to start from has another output for {} ({}{}; must be {}{}, as in this training)",
-                         output.variable.name, name_of(output.network.output),
-                         output.log_reference > 0.0 ? ", log targets" : "", name_of(options.output),
-                         options.log_targets ? ", log targets" : ""));
-    }
-  }
-}
-
 /// The model before learning: names, ranges, scaling, and in a warm start the networks.
 Model start_model(const TrainOptions& options, std::span<const TrainingRow> train_rows) {
   Model model = options.init_from == nullptr ? Model{} : *options.init_from;
@@ -189,6 +152,43 @@ Split validation_split(const Split& split, const TrainOptions& options, std::uin
 
 }  // namespace
 
+void check_options(const TrainOptions& options) {
+  const auto refuse = [](const std::string& what) { throw base::InputError(what); };
+  if (options.epochs < 1) refuse(fmt::format("epochs = {} (must be at least 1)", options.epochs));
+  if (options.patience < 0) refuse(fmt::format("patience = {} (must be at least 0)", options.patience));
+  if (options.smoothing < 0) refuse(fmt::format("smoothing = {} (must be at least 0)", options.smoothing));
+  if (options.starts < 1) refuse(fmt::format("starts = {} (must be at least 1)", options.starts));
+  if (!(options.validation >= 0.0 && options.validation < 1.0)) {
+    refuse(fmt::format("validation = {} (must be at least 0 and below 1)", options.validation));
+  }
+  if (options.patience > 0 && options.validation == 0.0) {
+    refuse(fmt::format("patience = {} without validation (no cases are kept to say when to stop)", options.patience));
+  }
+  if (options.batch < 1) refuse(fmt::format("batch = {} (must be at least 1)", options.batch));
+  if (options.threads < 0) refuse(fmt::format("threads = {} (must be at least 0)", options.threads));
+  if (!(options.learning_rate > 0.0) || !std::isfinite(options.learning_rate)) {
+    refuse(fmt::format("learning rate = {} (must be above 0)", options.learning_rate));
+  }
+  const std::string problem = layers_problem(options.layers);
+  if (!problem.empty()) refuse("the network has " + problem);
+  if (options.layers.front() != input_count || options.layers.back() != 1) {
+    refuse(fmt::format("layers {} (must begin with {} and end with 1)", fmt::join(options.layers, "-"), input_count));
+  }
+  if (options.init_from == nullptr) return;
+  for (const OutputModel& output : options.init_from->outputs) {
+    if (output.network.layers != options.layers) {
+      refuse(fmt::format("the model to start from has layers {} for {} (must be {}, as in this training)",
+                         fmt::join(output.network.layers, "-"), output.variable.name, fmt::join(options.layers, "-")));
+    }
+    if (output.network.output != options.output || (output.log_reference > 0.0) != options.log_targets) {
+      refuse(fmt::format("the model to start from has another output for {} ({}{}; must be {}{}, as in this training)",
+                         output.variable.name, name_of(output.network.output),
+                         output.log_reference > 0.0 ? ", log targets" : "", name_of(options.output),
+                         options.log_targets ? ", log targets" : ""));
+    }
+  }
+}
+
 Model train(const TrainingData& data, const TrainOptions& options, const base::ProgressCallback& progress) {
   const std::uint64_t split_seed = options.split_seed.value_or(options.seed);
   const Split split = split_cases(case_numbers(data), options.split, options.shuffle, split_seed);
@@ -200,7 +200,7 @@ Model train(const TrainingData& data, const TrainOptions& options, const base::P
 
 Model train_on(const TrainingData& data, const Split& split, const TrainOptions& options,
                const base::ProgressCallback& progress) {
-  check(options);
+  check_options(options);
   const TrainingData means = averaged(data);
   const ScatterLaw law = scatter_law(rows_of(means.rows, split.train_cases));  // the test cases lend nothing
   if (options.weighted && law.degrees_of_freedom == 0) {

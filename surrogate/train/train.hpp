@@ -40,6 +40,10 @@ struct TrainOptions {
   const Model* init_from = nullptr;
 };
 
+/// Throws `base::InputError` for options out of range and for a warm start that does not fit; the split is judged with
+/// the data.
+void check_options(const TrainOptions& options);
+
 /// The same data, options and seed give the same bits of the model for any number of threads: every output draws from
 /// streams of its own, addressed by (seed, output, restart). `progress` counts epochs over all outputs and is called
 /// by one thread at a time. Looks at `base::stop_requested` after each epoch.

@@ -102,6 +102,9 @@ TEST_F(Errors, TrainingDataAndModels) {
   const std::string model = (dir / "model.json").string();
   const auto trained = run("train " + file("good.csv", header + rows) + " -o " + model);
   ASSERT_EQ(trained.status, 0) << trained.text;
+  expect("train " + (dir / "good.csv").string() + " --check --layers 3,0,1 -o " + model, 2, "a layer of 0 nodes");
+  expect("train " + (dir / "good.csv").string() + " --check --split 1 -o " + model, 2, "--split");
+  expect("train " + (dir / "good.csv").string() + " --check --validation nan -o " + model, 2, "validation");
   const std::string whole = base::read_whole(model);
   for (const double share : {0.0, 0.1, 0.5, 0.9, 0.999}) {
     expect("predict " +
@@ -111,7 +114,7 @@ TEST_F(Errors, TrainingDataAndModels) {
   }
   expect("predict " + model + " --speed-m-per-s 9 --depth-mm 2 --rake-deg 15", 0, "outside the training range");
   expect("predict " + model + " --speed-m-per-s 9 --depth-mm 2 --rake-deg 15 --strict", 2,
-         "outside the training range (cutter_speed_m_per_s 0.5 to ");
+         "outside the training range: cutter_speed_m_per_s 9 (trained 0.5 to 1.5: 750 % of that range above it)");
   expect("predict " + model + " --speed-m-per-s 1 --depth-mm 2 --rake-deg 15 --cut-length-mm 0", 2, "--cut-length-mm");
   expect("signal " + bit + " --model " + model + " --rpm 0 --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2, "rpm");
   expect("signal " + bit + " --model " + model + " --rpm nan --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2,
@@ -129,10 +132,37 @@ TEST_F(Errors, OutputsNeverReplaceInputs) {
 }
 
 TEST_F(Errors, NumbersThatAreNone) {
-  expect("specimen " + rock + " --width-mm nan", 2, "must be a finite number above 0");
-  expect("specimen " + rock + " --width-mm 1e300 --check", 2, "at most 1e+07");
-  expect("predict x.json --speed-m-per-s '' --depth-mm 2 --rake-deg 15", 2, "must be a finite number");
+  expect("specimen " + rock + " --width-mm nan", 2, "'nan' (must be at least 0.01 and at most 10000)");
+  expect("specimen " + rock + " --width-mm 1e300 --check", 2, "must be at least 0.01 and at most 10000");
+  expect("specimen " + rock + " --width-mm 9000 --height-mm 9000 --check", 2, "at most 1e+07");
+  expect("predict x.json --speed-m-per-s 1 --depth-mm 0.002 --rake-deg 15", 2, "is it in m? Then write 2");
+  expect("lab ucs " + rock + " --width-mm 0.05", 2, "too small for discs");
+  expect("predict x.json --speed-m-per-s '' --depth-mm 2 --rake-deg 15", 2, "is not a number");
   expect("train x.csv --seed -1", 2, "not in range");
+}
+
+TEST_F(Errors, AForceOfTheOtherSignIsWarnedOf) {
+  const std::string words = "below 0: the rock's resistance";
+  expect("peaks " + file("down.csv", "time_s,Fx_N\n0,0\n1,-20\n2,-3\n3,1\n4,-9\n"), 0, words);
+  EXPECT_EQ(run("peaks " + file("up.csv", "time_s,Fx_N\n0,0\n1,20\n2,3\n3,-1\n4,9\n")).text.find(words),
+            std::string::npos);
+}
+
+TEST_F(Errors, EqualInputsAreRefused) {
+  expect("lab ucs " + rock + " --seeds 1,1", 2, "a seed is named twice");
+  const std::string text =
+      "name = \"short run\"\n[[pipe]]\nlength_m = 150\nouter_diameter_mm = 127\ninner_diameter_mm "
+      "= 108.61\n[top_drive]\nrotation_rpm = 60\nhook_load_kN = 25\n[bit]\nfriction_radius_mm = "
+      "80\n[run]\nduration_s = 0.1\n";
+  const std::string h5 = (dir / "run.h5").string();
+  ASSERT_EQ(run("drill run " + file("case.toml", text) + " -o " + h5).status, 0);
+  expect("report " + h5 + " " + dir.path().string() + "/./run.h5 -o " + (dir / "r.html").string(), 2,
+         "are one file (name each run once)");
+  EXPECT_FALSE(fs::exists(dir / "r.html"));
+}
+
+TEST_F(Errors, ACoreOfFewGrainsIsWarnedOf) {
+  expect("lab ucs " + rock + " --width-mm 12 --height-mm 24 --check", 0, "8 of the largest grains");
 }
 
 TEST_F(Errors, AFolderOfAnotherStudyIsLeftAlone) {

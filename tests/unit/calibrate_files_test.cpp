@@ -56,7 +56,8 @@ TEST(CalibrationTarget, RefusesWhatATargetCannotBe) {
   const std::string head = "[target]\nname = \"a\"\n";
   EXPECT_NE(target_message(head + rock_line).find("target.toml: [target] names nothing to calibrate to"),
             std::string::npos);
-  EXPECT_NE(target_message(head + "ucs_MPa = 0\n" + rock_line).find("target.toml:3: target.ucs_MPa = 0 (must be above"),
+  EXPECT_NE(target_message(head + "ucs_MPa = 0\n" + rock_line)
+                .find("target.toml:3: target.ucs_MPa = 0 (must be at least 0.01"),
             std::string::npos);
   EXPECT_NE(target_message(head + "ucs_MPa = nan\n" + rock_line).find("target.ucs_MPa"), std::string::npos);
   EXPECT_NE(target_message(head + "poissons_ratio = 0.6\n" + rock_line).find("must be above 0 and at most 0.5"),
@@ -76,6 +77,31 @@ TEST(CalibrationTarget, RefusesWhatATargetCannotBe) {
   EXPECT_NE(target_message(good + "most_evaluations = 0\n").find("calibration.most_evaluations"), std::string::npos);
   EXPECT_NE(target_message(good + "first_seed = 2147483647\n").find("the last seed would be above"), std::string::npos);
   EXPECT_EQ(target_message(good), "accepted");
+}
+
+TEST(CalibrationTarget, ATargetInAnotherUnitIsRefusedWithIt) {
+  const std::string head = "[target]\nname = \"a\"\n";
+  EXPECT_EQ(
+      target_message(head + "ucs_MPa = 51e6\n" + rock_line),
+      "target.toml:3: target.ucs_MPa = 51000000.0 (must be at least 0.01 and at most 5000; is it in Pa? Then write "
+      "51)");
+  EXPECT_NE(target_message(head + "tensile_strength_MPa = 6900\n" + rock_line).find("is it in kPa? Then write 6.9"),
+            std::string::npos);
+  EXPECT_NE(target_message(head + "youngs_modulus_GPa = 22.5e9\n" + rock_line).find("is it in Pa? Then write 22.5"),
+            std::string::npos);
+}
+
+TEST(CalibrationTarget, WhatDiscsInTwoDimensionsDoNotReachIsWarnedOf) {
+  const auto warned = [](const std::string& numbers) {
+    return dem2d::warnings(dem2d::parse_target("[target]\nname = \"a\"\n" + numbers + rock_line, "target.toml"));
+  };
+  EXPECT_TRUE(warned("ucs_MPa = 70\ntensile_strength_MPa = 7\npoissons_ratio = 0.25\n").empty());
+  const auto round = warned("poissons_ratio = 0.4\n");
+  ASSERT_EQ(round.size(), 1u);
+  EXPECT_NE(round[0].find("target.poissons_ratio = 0.4"), std::string::npos);
+  const auto brittle = warned("ucs_MPa = 200\ntensile_strength_MPa = 6.9\n");
+  ASSERT_EQ(brittle.size(), 1u);
+  EXPECT_NE(brittle[0].find("is 29; campaigns/rocks/start.toml reaches about 14"), std::string::npos) << brittle[0];
 }
 
 TEST(Micro, GoesIntoTheRockWithWhatBelongsToIt) {

@@ -256,6 +256,21 @@ TEST(CalibrationSearch, FrictionThatHelpsMayStartFromNone) {
   EXPECT_TRUE(at_least);
 }
 
+TEST(CalibrationSearch, NoTryLeavesTheRangesOfARockFile) {
+  // E needs more than a rock file allows, and the strengths follow it
+  ModelRock rock;
+  dem2d::CalibrationTarget target = article();
+  target.wanted = {4900e6, 450e6, 990e9, 0.23};
+  const auto evaluate = [&](const Micro& micro, int seeds) {
+    dem2d::Rock tried = dem2d::with_micro(target.start, micro);
+    EXPECT_NO_THROW(dem2d::parse_rock(base::to_toml(dem2d::describe(tried)), "tried.toml"));
+    return rock.evaluate(micro, seeds);
+  };
+  const dem2d::Calibration found = dem2d::calibrate(target, {}, evaluate);
+  EXPECT_LE(found.best.micro[0], 1000e9);
+  EXPECT_GT(found.best.micro[0], 900e9);
+}
+
 TEST(CalibrationSearch, TheBudgetIsKept) {
   ModelRock rock{.curvature = 0.1};
   auto target = article();

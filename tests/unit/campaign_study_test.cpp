@@ -1,4 +1,5 @@
 // What a study may say, which jobs follow from it, and each message for what it may not say.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "campaigns/plan.hpp"
@@ -50,7 +51,7 @@ TEST_F(StudyFile, WrongTablesNameFileAndLine) {
   const std::string text = fx::head + by_table + sizes;
   EXPECT_NE(message(text, "cannot read").find("cases.csv"), std::string::npos);
   table(header + "0.5,2,10\n# half\n0.5,-2,10\n");
-  EXPECT_EQ(message(text, "cases.csv"), "cases.csv:4: depth_of_cut_mm = -2 (must be above 0)");
+  EXPECT_EQ(message(text, "cases.csv"), "cases.csv:4: depth_of_cut_mm = -2 (must be at least 0.01 and at most 100)");
   table(header + "51,2,10\n");
   EXPECT_EQ(message(text, "cases.csv"), "cases.csv:2: cutter_speed_m_per_s = 51 (must be above 0 and at most 50)");
   table(header + "0.5,2,61\n");
@@ -122,7 +123,7 @@ TEST_F(StudyFile, SizesAreGivenOnce) {
   EXPECT_EQ(message(fx::head + fx::grid + by_depth + "[bed]\nheight_mm = 20\n").find("study.toml:11: bed.height_mm"),
             0u);
   EXPECT_EQ(message(fx::head + fx::grid + "[by_depth]\ncut_length_depths = 20\nbed_height_depths = 2\n"),
-            "study.toml:8: by_depth.bed_height_depths = 2 (must be at least 3)");
+            "study.toml:8: by_depth.bed_height_depths = 2 (must be at least 3 and at most 10000)");
 }
 
 TEST_F(StudyFile, ACutThatJustFitsStaysOneWhenItsRunIsReadBack) {
@@ -136,6 +137,17 @@ TEST_F(StudyFile, ACutThatJustFitsStaysOneWhenItsRunIsReadBack) {
     fx::finish(job, dir / "camp");
     EXPECT_TRUE(campaigns::finished_run(dir / "camp", job).has_value()) << job.cut.depth_of_cut;
   }
+}
+
+TEST_F(StudyFile, MoreCutsThanMemoryHoldsAreRefusedWithTheirNumber) {
+  std::string speeds = "0.1", depths = "2";
+  for (int i = 1; i < 1200; ++i) {
+    speeds += fmt::format(", {:.6g}", 0.1 + 0.01 * i);
+    depths += fmt::format(", {:.6g}", 2 + 0.001 * i);
+  }
+  EXPECT_EQ(message(fx::head + "[grid]\ncutter_speeds_m_per_s = [" + speeds + "]\ndepths_of_cut_mm = [" + depths +
+                    "]\nback_rakes_deg = [10]\n" + sizes),
+            "study.toml: 1440000 cases times 1 seeds are 1.44e+06 cuts (at most 1e+06; split the study)");
 }
 
 TEST_F(StudyFile, ADepthBelowOneGrainIsWarnedOfOnce) {

@@ -16,12 +16,13 @@ struct Rock {
 };
 
 base::Section describe(Rock& rock) {
+  const base::Range positive{.low = 0.0, .high = 100.0, .low_open = true};
   return {"rock",
-          {{"radius_mm", &rock.radius, 1e-3, base::positive(), "disc radius", true},
+          {{"radius_mm", &rock.radius, 1e-3, positive, "disc radius", true},
            {"elements", &rock.elements, 1.0, base::between(1, 64), "elements of a joint"},
            {"open", &rock.open, 1.0, base::any(), "a flag"},
            {"name", &rock.name, 1.0, base::any(), "a name"},
-           {"speeds_m_per_s", &rock.speeds, 1.0, base::positive(), "a list"}}};
+           {"speeds_m_per_s", &rock.speeds, 1.0, positive, "a list"}}};
 }
 
 Rock read(const std::string& text) {
@@ -51,9 +52,9 @@ TEST(Config, ReadsEveryKindAndConvertsToSi) {
 }
 
 TEST(Config, MessagesNameLineKeyValueAndWhatIsAllowed) {
-  EXPECT_EQ(message("[rock]\nradius_mm = -2"), "rock.toml:2: rock.radius_mm = -2 (must be above 0)");
+  EXPECT_EQ(message("[rock]\nradius_mm = -2"), "rock.toml:2: rock.radius_mm = -2 (must be above 0 and at most 100)");
   EXPECT_EQ(message("[rock]\nradius_mm = 'big'"), "rock.toml:2: rock.radius_mm = 'big' (must be a number)");
-  EXPECT_EQ(message("[rock]\nradius_mm = nan"), "rock.toml:2: rock.radius_mm = nan (must be above 0)");
+  EXPECT_EQ(message("[rock]\nradius_mm = nan"), "rock.toml:2: rock.radius_mm = nan (must be above 0 and at most 100)");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\nelements = 2.5"),
             "rock.toml:3: rock.elements = 2.5 (must be a whole number)");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\nelements = 99"),
@@ -62,13 +63,15 @@ TEST(Config, MessagesNameLineKeyValueAndWhatIsAllowed) {
   EXPECT_EQ(message("[rock]\nradius_mm = 1\nspeeds_m_per_s = []"),
             "rock.toml:3: rock.speeds_m_per_s = [] (must be a list of numbers)");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\nspeeds_m_per_s = [1, -1]"),
-            "rock.toml:3: rock.speeds_m_per_s = -1 (must be above 0)");
+            "rock.toml:3: rock.speeds_m_per_s = -1 (must be above 0 and at most 100)");
 }
 
 TEST(Config, MissingAndUnknownKeysAreErrors) {
-  EXPECT_EQ(message("[rock]\nname = 'x'"), "rock.toml:1: rock.radius_mm is missing (disc radius; above 0)");
-  EXPECT_EQ(message("[rock]\nradus_mm = 1"),
-            "rock.toml:1: rock.radius_mm is missing (disc radius; above 0); is it the unknown key radus_mm?");
+  EXPECT_EQ(message("[rock]\nname = 'x'"),
+            "rock.toml:1: rock.radius_mm is missing (disc radius; above 0 and at most 100)");
+  EXPECT_EQ(
+      message("[rock]\nradus_mm = 1"),
+      "rock.toml:1: rock.radius_mm is missing (disc radius; above 0 and at most 100); is it the unknown key radus_mm?");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\nelemnts = 3"),
             "rock.toml:3: rock.elemnts is unknown (no such key; did you mean elements?)");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\n[rcok]\na = 1"),
@@ -105,6 +108,29 @@ TEST(Config, SaysWhatTheFileHas) {
   EXPECT_FALSE(file.has("other", "b"));
 }
 
+TEST(Config, ANumberOutOfRangeThatFitsInAnotherUnitSaysSo) {
+  EXPECT_EQ(message("[rock]\nradius_mm = 5000"),
+            "rock.toml:2: rock.radius_mm = 5000 (must be above 0 and at most 100; is it in um? Then write 5)");
+  EXPECT_EQ(message("[rock]\nradius_mm = 1e308"),
+            "rock.toml:2: rock.radius_mm = 1e+308 (must be above 0 and at most 100)");
+}
+
+TEST(Config, AKeyWithoutLimitsIsAFaultOfTheProgram) {
+  double length = 1.0;
+  base::ConfigFile file = base::ConfigFile::from_text("length_m = 2\n", "t.toml");
+  EXPECT_THROW(file.fill({"", {{"length_m", &length, 1.0, base::positive(), "of all"}}}), std::logic_error);
+  EXPECT_THROW(file.fill({"", {{"length_m", &length, 1.0, base::any(), "of all"}}}), std::logic_error);
+}
+
+TEST(Config, NoneMayBeWrittenAsZeroWhereTheRangeSaysSo) {
+  const base::Range range = base::zero_or(1.0, 10.0);
+  EXPECT_TRUE(range.contains(0.0));
+  EXPECT_TRUE(range.contains(1.0));
+  EXPECT_FALSE(range.contains(0.5));
+  EXPECT_FALSE(range.contains(-1.0));
+  EXPECT_EQ(range.text(), "0, or at least 1 and at most 10");
+}
+
 TEST(Config, ArrayOfTables) {
   base::ConfigFile file =
       base::ConfigFile::from_text("[[rock]]\nradius_mm = 1\n[[rock]]\nradius_mm = -1\n", "rock.toml");
@@ -116,7 +142,8 @@ TEST(Config, ArrayOfTables) {
     file.fill_entry(describe(rock), 1);
     FAIL();
   } catch (const base::InputError& error) {
-    EXPECT_STREQ(error.what(), "rock.toml:4: rock.radius_mm = -1 (must be above 0; entry 2 of [[rock]])");
+    EXPECT_STREQ(error.what(),
+                 "rock.toml:4: rock.radius_mm = -1 (must be above 0 and at most 100; entry 2 of [[rock]])");
   }
 }
 

@@ -48,6 +48,25 @@ TEST(CutCase, ADepthBelowOneGrainIsWarnedOf) {
   EXPECT_EQ(dem2d::warnings(cut)[0].find("cut.depth_of_cut_mm = 1 is 0.8 of a grain (mean diameter 1.25 mm)"), 0u);
 }
 
+TEST(CutCase, ACutterSmallerThanAGrainIsWarnedOf) {
+  dem2d::CutCase cut = small_cut();
+  cut.cutter_thickness = 1e-3;
+  ASSERT_EQ(dem2d::warnings(cut).size(), 1u);
+  EXPECT_EQ(dem2d::warnings(cut)[0].find("cutter.thickness_mm = 1 is 0.8 of a grain (mean diameter 1.25 mm)"), 0u);
+}
+
+TEST(CutCase, ACutOfYearsOrOfMoreFramesThanMemoryHoldsIsRefusedWithTheNumber) {
+  dem2d::CutCase cut = small_cut();
+  cut.rock.radius_min = 5e-6, cut.rock.radius_max = 7.5e-6;
+  cut.cutter_speed = 5e-3;  // 0.8 s: 8e8 steps of 1 ns of some 2 million discs
+  const std::string why = message([&] { dem2d::plan_steps(cut, 1e-9); });
+  EXPECT_NE(why.find("steps of about 2.17e+06 discs"), std::string::npos) << why;
+  EXPECT_NE(why.find("years of one core"), std::string::npos) << why;
+  EXPECT_EQ(message([] { dem2d::check_frames(10000, 10000.0); }), "accepted");
+  EXPECT_EQ(message([] { dem2d::check_frames(10000, 1e6); }),
+            "10000 frames of about 1e+06 discs are 6.5e+02 GB in memory (at most 6.5; take 100 frames or fewer)");
+}
+
 TEST(CutCase, ASpeedThatMovesMoreThanAHundredthOfAGrainInAStepIsRefused) {
   dem2d::CutCase cut = small_cut();  // smallest grain 1 mm: at most 10 um
   cut.sampling_distance = 25e-6;

@@ -87,6 +87,22 @@ TEST_F(DiscsFile, SeedIsNotComparedButBoxAndRockAre) {
   EXPECT_NE(dem2d::mismatch(specimen, other, 4e-3, 3e-3, 99).find("another rock"), std::string::npos);
 }
 
+TEST(Specimen, DiscsThatHangTogetherInPiecesAreWarnedOf) {
+  dem2d::Specimen specimen;
+  specimen.x.resize(20);
+  for (int disc = 0; disc + 1 < 20; ++disc) {  // a chain of twenty
+    specimen.disc1.push_back(disc);
+    specimen.disc2.push_back(disc + 1);
+  }
+  EXPECT_TRUE(dem2d::warnings(specimen).empty());
+  specimen.disc1.erase(specimen.disc1.begin() + 11);
+  specimen.disc2.erase(specimen.disc2.begin() + 11);
+  ASSERT_EQ(dem2d::warnings(specimen).size(), 1u);
+  EXPECT_EQ(dem2d::warnings(specimen)[0].find("the 20 discs hang together in 2 pieces, the largest has 60 % of them"),
+            0u)
+      << dem2d::warnings(specimen)[0];
+}
+
 TEST_F(DiscsFile, OriginSurvivesTheSpecimenFile) {
   const dem2d::Specimen specimen = read(square_lattice());
   dem2d::write_specimen(specimen, folder / "s.h5");

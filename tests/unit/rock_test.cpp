@@ -46,6 +46,48 @@ TEST(RockFile, TheShippedRocksRead) {
   }
 }
 
+TEST(RockFile, NumbersInAnotherUnitAreRefusedWithIt) {
+  const struct {
+    std::string from, to, words;
+  } cases[] = {
+      {"radius_max_mm = 0.75", "radius_max_mm = 750", "is it in um? Then write 0.75"},
+      {"radius_min_mm = 0.5", "radius_min_mm = 0.0005", "is it in m? Then write 0.5"},
+      {"density_kg_per_m3 = 2500", "density_kg_per_m3 = 2.5", "is it in g/cm3? Then write 2500"},
+      {"tensile_strength_MPa = 10", "tensile_strength_MPa = 10e6", "is it in Pa? Then write 10"},
+      {"cohesion_MPa = 50", "cohesion_MPa = 50000", "is it in kPa? Then write 50"},
+      {"effective_modulus_GPa = 1.5", "effective_modulus_GPa = 1500", "is it in MPa? Then write 1.5"},
+      {"pressure_MPa = 60", "pressure_MPa = 60e6", "is it in Pa? Then write 60"},
+  };
+  for (const auto& c : cases)
+    EXPECT_NE(rock_message(c.from, c.to).find(c.words), std::string::npos)
+        << c.to << ": " << rock_message(c.from, c.to);
+}
+
+/// Each number of a rock file in turn, in the unit of the file.
+template <class Try>
+void for_each_number(const Try& attempt) {
+  dem2d::Rock rock = dem2d::read_rock(source + "/campaigns/rocks/start.toml");
+  for (base::Section& section : dem2d::describe(rock)) {
+    for (base::Field& field : section.fields) {
+      auto* number = std::get_if<double*>(&field.target);
+      if (number == nullptr) continue;
+      const double kept = **number;
+      attempt(field, **number, rock);
+      **number = kept;
+    }
+  }
+}
+
+TEST(RockFile, EveryNumberHasALowestAndAHighest) {
+  for_each_number([](const base::Field& field, double& number, dem2d::Rock& rock) {
+    for (const double absurd : {-1.0, 1e300}) {
+      number = absurd * field.si_per_unit;
+      EXPECT_THROW(dem2d::parse_rock(base::to_toml(dem2d::describe(rock)), "rock.toml"), base::InputError)
+          << field.name << " = " << absurd;
+    }
+  });
+}
+
 TEST(RockFile, RefusesWhatARockCannotBe) {
   EXPECT_NE(rock_message("radius_min_mm = 0.5", "radius_min_mm = -0.5").find("discs.radius_min_mm = -0.5 (must be"),
             std::string::npos);
@@ -102,15 +144,30 @@ TEST(CutFile, RefusesACutThatDoesNotFitItsBed) {
   EXPECT_NE(cut_message(sparse).find("sampling_distance_um"), std::string::npos);
   auto dense = example();
   dense.sampling_distance = 1e-300;
-  EXPECT_NE(cut_message(dense).find("samples, at most"), std::string::npos);
+  EXPECT_NE(cut_message(dense).find("run.sampling_distance_um = 1e-294 (must be at least 0.01"), std::string::npos);
   auto thin = example();
   thin.bed_height = 5e-3;
   thin.depth_of_cut = 1e-3;
   EXPECT_NE(cut_message(thin).find("at least 4 diameters"), std::string::npos);
   auto huge = example();
-  huge.bed_length = 1e3;
+  huge.bed_length = huge.bed_height = 10.0;
   EXPECT_NE(cut_message(huge).find("at most 1e+07"), std::string::npos);
   EXPECT_EQ(cut_message(example()), "accepted");
+}
+
+TEST(CutFile, WhatIsSizedByDepthStaysInTheRangesOfTheFile) {
+  const auto refused = [](double dem2d::CutCase::*member, double value, const std::string& words) {
+    auto cut = example();
+    cut.*member = value;
+    EXPECT_NE(cut_message(cut).find(words), std::string::npos) << cut_message(cut);
+  };
+  refused(&dem2d::CutCase::bed_length, 1e3, "bed.length_mm = 1e+06 (must be at least 0.1 and at most 10000");
+  refused(&dem2d::CutCase::cutter_diameter, 1e305,
+          "cutter.diameter_mm = 1e+308 (must be at least 0.5 and at most 250)");
+  refused(&dem2d::CutCase::cutter_thickness, 8e-6,
+          "cutter.thickness_mm = 0.008 (must be at least 0.5 and at most 250; is it in m? Then write 8)");
+  refused(&dem2d::CutCase::domain_margin, 1e300, "run.domain_margin_mm");
+  refused(&dem2d::CutCase::step_factor, 1e-300, "run.step_factor");
 }
 
 TEST(CutFile, StepsFillTheSamplingIntervalAndAreLimited) {

@@ -301,9 +301,9 @@ TEST(ConstantSpeed, RefusesWhatItCannotDo) {
   EXPECT_EQ(with(&runtime::ConstantSpeed::rotation, not_a_number),
             "rotation = nan rpm (must be at least 0.01 and at most 10000)");
   EXPECT_EQ(with(&runtime::ConstantSpeed::rate_of_penetration, -1.0 / 3600.0),
-            "rate of penetration = -1 m/h (must be finite and 0 or more)");
+            "rate of penetration = -1 m/h (must be at least 0 and at most 2000)");
   EXPECT_EQ(with(&runtime::ConstantSpeed::rate_of_penetration, not_a_number),
-            "rate of penetration = nan m/h (must be finite and 0 or more)");
+            "rate of penetration = nan m/h (must be at least 0 and at most 2000)");
   EXPECT_EQ(with(&runtime::ConstantSpeed::duration, -1.0), "duration = -1 s (must be finite and above 0)");
   EXPECT_EQ(with(&runtime::ConstantSpeed::rate, std::numeric_limits<double>::infinity()),
             "rate = inf Hz (must be finite and above 0)");

@@ -1,0 +1,18 @@
+#pragma once
+/// How far questions lie outside what the networks have learnt, in words for people.
+
+#include <string>
+
+#include "surrogate/net/model.hpp"
+
+namespace surrogate {
+
+/// How far the farther of two values in the unit of the input lies outside its training range, over the width of that
+/// range [1]; 0 inside. Infinite for a range without width.
+double beyond_range(const Variable& input, double low, double high);
+
+/// "depth_of_cut_mm 0.1 (trained 0.5 to 4: 11 % of that range below it)" for the values from `low` to `high` that were
+/// asked; empty inside.
+std::string beyond_range_in_words(const Variable& input, double low, double high);
+
+}  // namespace surrogate
