@@ -120,6 +120,15 @@ TEST_F(Errors, TrainingDataAndModels) {
   expect("signal " + bit + " --model " + model + " --rpm nan --rop-m-per-h 15 -o " + (dir / "f.csv").string(), 2,
          "rpm");
   EXPECT_FALSE(fs::exists(dir / "f.csv"));
+  // 60 rpm and 15 m/h are 4.17 mm a turn; learnt were 2 to 4 mm, and the bit's cutters run at 0.09 to 0.67 m/s
+  const auto outside = run("signal " + bit + " --model " + model + " --rpm 60 --rop-m-per-h 15 --duration-s 1 -o " +
+                           (dir / "f.csv").string());
+  EXPECT_EQ(outside.status, 0) << outside.text;
+  EXPECT_NE(outside.text.find("warning: outside the training range"), std::string::npos) << outside.text;
+  EXPECT_NE(outside.text.find("depth too low 0 %, too high 100 %"), std::string::npos) << outside.text;
+  EXPECT_NE(outside.text.find("depth_of_cut_mm 4.167 (trained 2 to 4: 8.33 % of that range above it)"),
+            std::string::npos)
+      << outside.text;
 }
 
 TEST_F(Errors, OutputsNeverReplaceInputs) {
