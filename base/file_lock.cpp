@@ -47,7 +47,7 @@ std::optional<FileLock> FileLock::try_take(const std::filesystem::path& file) {
   if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
     return lock;  // device
   for (;;) {
-    const int opened = ::open(lock.path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    const int opened = ::open(lock.path_.c_str(), O_RDWR | O_CREAT | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (opened < 0) fail_making(lock.path_, errno);
     const int error = ::flock(opened, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
     if (error == 0 && leads_to(lock.path_, opened)) {
@@ -79,7 +79,7 @@ FileLock FileLock::wait_for(const std::filesystem::path& file) {
 }
 
 bool FileLock::is_held(const std::filesystem::path& file) {
-  const int opened = ::open(lock_path(file).c_str(), O_RDONLY | O_CLOEXEC);
+  const int opened = ::open(lock_path(file).c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
   if (opened < 0) return false;
   const bool held = ::flock(opened, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(opened);

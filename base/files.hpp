@@ -8,18 +8,44 @@
 
 namespace base {
 
-/// The whole file as bytes. Throws `InputError` naming the path when it cannot be read.
+/// The whole file as bytes. Throws `InputError` naming the path when it cannot be read, at once also for what is no
+/// file: a folder, a pipe, a device, a socket, links that lead in circles.
 std::string read_whole(const std::filesystem::path& path);
 
-/// Writes `path`.part, flushes it to the disk and renames it: a file with its final name is whole.
-/// Throws `OutputError` (for example: no space left on device) and removes the part on failure.
+/// Whether something has this name, good or not: a loop of links is something, so that reading it says what is wrong.
+bool is_there(const std::filesystem::path& path);
+
+/// A file under construction beside the one it will become, under a name of its own that was free. It is removed with
+/// the object, unless it has been put in its place.
+class PartFile {
+ public:
+  /// Throws `OutputError` when it cannot be made. It gets the rights of the file it will replace, and a new one those
+  /// that the user gives new files.
+  explicit PartFile(const std::filesystem::path& path);
+  ~PartFile();
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+
+  const std::filesystem::path& name() const { return part_; }
+  int descriptor() const { return descriptor_; }
+  /// Flushes it to the disk and gives it the final name: a file with its final name is whole.
+  void put_in_place();
+
+ private:
+  std::filesystem::path path_, target_, part_;
+  int descriptor_ = -1;  ///< locked with flock(2), so that others see that it is being written; -1: put in place
+};
+
+/// Writes the bytes to a `PartFile` and puts it in place; a pipe or a device gets them as they are.
+/// Throws `OutputError` (for example: no space left on device) and leaves nothing on failure.
 void write_whole(const std::filesystem::path& path, std::string_view bytes);
 
 /// Removes the parts that killed programs have left of earlier attempts to write `path`. Only for a caller who knows
 /// that nobody writes it now (base/file_lock.hpp).
 void remove_parts(const std::filesystem::path& path);
 
-/// Call before a long computation: makes the folder of `path` if needed and tries to write there.
+/// Call before a long computation: makes the folder of `path` if needed, tries to write there, and removes the parts
+/// that killed programs have left there of `path`.
 /// Throws `InputError` naming the path and the reason.
 void require_writable(const std::filesystem::path& path);
 

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
 #include <mutex>
+#include <type_traits>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -41,11 +45,30 @@ std::string seal(std::string_view image) {
   return std::string(seal_mark) + fingerprint_text(image);
 }
 
-Hdf5Handle variable_text_type() {
-  Hdf5Handle type(require(H5Tcopy(H5T_C_S1), "make a text type"), H5Tclose);
-  require_ok(H5Tset_size(type.id(), H5T_VARIABLE), "make a text type");
-  require_ok(H5Tset_cset(type.id(), H5T_CSET_UTF8), "make a text type");
-  return type;
+// What fits into an attribute: HDF5 keeps them in messages of at most 64 KiB, its name and kind with them.
+constexpr std::size_t longest_text_attribute = 60000;
+
+std::string text_path(const std::string& attribute) {
+  return "/texts/" + attribute;
+}
+
+static_assert(std::endian::native == std::endian::little, "values of files are copied as they are");
+static_assert(sizeof(int) == 4 && sizeof(double) == 8 && sizeof(long long) == 8);
+
+/// To be asked for with the library locked: each name is a macro that opens it.
+hid_t type_of(Hdf5Kind kind) {
+  switch (kind) {
+    case Hdf5Kind::byte:
+    case Hdf5Kind::text:
+      return H5T_STD_U8LE;
+    case Hdf5Kind::int32:
+      return H5T_STD_I32LE;
+    case Hdf5Kind::int64:
+      return H5T_STD_I64LE;
+    case Hdf5Kind::real64:
+      return H5T_IEEE_F64LE;
+  }
+  return H5I_INVALID_HID;
 }
 
 void write_attribute(hid_t owner, const std::string& name, hid_t type, const void* value) {
@@ -57,10 +80,12 @@ void write_attribute(hid_t owner, const std::string& name, hid_t type, const voi
 }
 
 void write_text_attribute(hid_t owner, const std::string& name, std::string_view value) {
-  const Hdf5Handle type = variable_text_type();
-  const std::string terminated(value);
-  const char* pointer = terminated.c_str();
-  write_attribute(owner, name, type.id(), &pointer);
+  const std::string text = value.empty() ? std::string(1, '\0') : std::string(value);  // HDF5 has no text of no length
+  const Hdf5Handle type(require(H5Tcopy(H5T_C_S1), "make a text type"), H5Tclose);
+  require_ok(H5Tset_size(type.id(), text.size()), "make a text type");
+  require_ok(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "make a text type");
+  require_ok(H5Tset_cset(type.id(), H5T_CSET_UTF8), "make a text type");
+  write_attribute(owner, name, type.id(), text.data());
 }
 
 /// Object times off: otherwise the same content would give other bytes each second.
@@ -100,6 +125,7 @@ Hdf5Writer::Hdf5Writer() {
   const Hdf5Handle access(require(H5Pcreate(H5P_FILE_ACCESS), "make a property list"), H5Pclose);
   constexpr std::size_t growth = 1 << 20;  // memory is taken in steps of 1 MiB
   require_ok(H5Pset_fapl_core(access.id(), growth, false), "keep a file in memory");
+  require_ok(H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST), "choose the oldest format");
   const Hdf5Handle creation = untimed(H5P_FILE_CREATE);
   static int files = 0;  // two open files must not share a name, not even in memory
   const std::string name = fmt::format("in-memory-{}.h5", files++);
@@ -107,9 +133,10 @@ Hdf5Writer::Hdf5Writer() {
       Hdf5Handle(require(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), "make a file"), H5Fclose);
 }
 
-void Hdf5Writer::write_array(const std::string& path, const void* values, std::size_t count, hid_t memory_type,
+void Hdf5Writer::write_array(const std::string& path, const void* values, std::size_t count, Hdf5Kind kind,
                              const std::string& units, const std::string& meaning) {
   const std::lock_guard lock(library());
+  const hid_t type = type_of(kind);
   make_groups(file_.id(), path);
   const hsize_t extent = count;
   const Hdf5Handle space(require(H5Screate_simple(1, &extent, nullptr), "make an array"), H5Sclose);
@@ -122,11 +149,11 @@ void Hdf5Writer::write_array(const std::string& path, const void* values, std::s
     require_ok(H5Pset_fletcher32(list.id()), "set the checksum");
   }
   const Hdf5Handle dataset(
-      require(H5Dcreate2(file_.id(), path.c_str(), memory_type, space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
+      require(H5Dcreate2(file_.id(), path.c_str(), type, space.id(), H5P_DEFAULT, list.id(), H5P_DEFAULT),
               "make an array"),
       H5Dclose);
   if (count > 0) {
-    require_ok(H5Dwrite(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write an array");
+    require_ok(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "write an array");
   }
   write_text_attribute(dataset.id(), "units", units);
   write_text_attribute(dataset.id(), "long_name", meaning);
@@ -134,27 +161,31 @@ void Hdf5Writer::write_array(const std::string& path, const void* values, std::s
 
 void Hdf5Writer::array(const std::string& path, std::span<const double> values, const std::string& units,
                        const std::string& meaning) {
-  write_array(path, values.data(), values.size(), H5T_NATIVE_DOUBLE, units, meaning);
+  write_array(path, values.data(), values.size(), Hdf5Kind::real64, units, meaning);
 }
 
 void Hdf5Writer::array(const std::string& path, std::span<const int> values, const std::string& units,
                        const std::string& meaning) {
-  write_array(path, values.data(), values.size(), H5T_NATIVE_INT, units, meaning);
+  write_array(path, values.data(), values.size(), Hdf5Kind::int32, units, meaning);
 }
 
 void Hdf5Writer::attribute(const std::string& name, std::string_view value) {
+  if (value.size() > longest_text_attribute) {
+    write_array(text_path(name), value.data(), value.size(), Hdf5Kind::byte, "1", "text, UTF-8");
+    return;
+  }
   const std::lock_guard lock(library());
   write_text_attribute(file_.id(), name, value);
 }
 
 void Hdf5Writer::attribute(const std::string& name, double value) {
   const std::lock_guard lock(library());
-  write_attribute(file_.id(), name, H5T_NATIVE_DOUBLE, &value);
+  write_attribute(file_.id(), name, type_of(Hdf5Kind::real64), &value);
 }
 
 void Hdf5Writer::attribute(const std::string& name, long long value) {
   const std::lock_guard lock(library());
-  write_attribute(file_.id(), name, H5T_NATIVE_LLONG, &value);
+  write_attribute(file_.id(), name, type_of(Hdf5Kind::int64), &value);
 }
 
 void Hdf5Writer::save(const std::filesystem::path& path) {
@@ -172,28 +203,41 @@ void Hdf5Writer::save(const std::filesystem::path& path) {
   write_whole(path, image + seal(image));
 }
 
-Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : name_(path.string()) {
-  const std::string bytes = read_whole(path);
-  const std::string_view all = bytes, head = all.substr(0, 8);
-  const std::string_view body = all.substr(0, all.size() - std::min(all.size(), seal_length)),
+namespace {
+
+/// The file without its checksum, which was right.
+std::vector<char> sealed_bytes(const std::filesystem::path& path) {
+  const std::string name = path.string(), bytes = read_whole(path);
+  const std::string_view all = bytes, body = all.substr(0, all.size() - std::min(all.size(), seal_length)),
                          end = all.substr(body.size());
-  sealed_ = end.substr(0, seal_mark.size()) == seal_mark;
-  if (sealed_ && end != seal(body)) throw InputError(fmt::format("{}: damaged (its checksum does not fit)", name_));
-  const std::lock_guard lock(library());
-  file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file_.valid()) {
-    throw InputError(fmt::format(
-        "{}: {}", name_, head == "\x89HDF\r\n\x1a\n" ? "a damaged or truncated HDF5 file" : "not an HDF5 file"));
+  if (!all.starts_with("\x89HDF\r\n\x1a\n")) throw InputError(name + ": not an HDF5 file");
+  if (!end.starts_with(seal_mark)) {
+    throw InputError(name + ": no checksum at its end (truncated, or changed by another program)");
   }
+  if (end != seal(body)) throw InputError(name + ": damaged (its checksum does not fit)");
+  return {body.begin(), body.end()};
 }
 
-void Hdf5Reader::require_checksum() const {
-  if (!sealed_)
-    throw InputError(fmt::format("{}: no checksum at its end (truncated, or changed by another program)", name_));
+template <class T>
+T value_at(std::string_view bytes, std::size_t index) {
+  T value;
+  std::memcpy(&value, bytes.data() + index * sizeof(T), sizeof(T));
+  return value;
 }
+
+template <class Stored, class Wanted>
+std::vector<Wanted> converted(std::string_view bytes) {
+  std::vector<Wanted> values(bytes.size() / sizeof(Stored));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Wanted>(value_at<Stored>(bytes, i));
+  return values;
+}
+
+}  // namespace
+
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& path)
+    : name_(path.string()), bytes_(sealed_bytes(path)), image_(hdf5_image({bytes_.data(), bytes_.size()}, name_)) {}
 
 void Hdf5Reader::require_format(const std::string& format, long long version) const {
-  require_checksum();
   if (!has_attribute("format") || text_attribute("format") != format) {
     throw InputError(fmt::format("{}: not a {} file", name_, format));
   }
@@ -204,65 +248,76 @@ void Hdf5Reader::require_format(const std::string& format, long long version) co
 }
 
 bool Hdf5Reader::has(const std::string& path) const {
-  const std::lock_guard lock(library());
-  for (std::size_t slash = path.find('/', 1);; slash = path.find('/', slash + 1)) {
-    if (H5Lexists(file_.id(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) return false;
-    if (slash == std::string::npos) return true;
-  }
+  const std::string inside = path + "/";
+  const auto next = image_.arrays.lower_bound(inside);
+  return image_.arrays.contains(path) || (next != image_.arrays.end() && next->first.starts_with(inside));
 }
 
-template <class T>
-std::vector<T> Hdf5Reader::read_array(const std::string& path, hid_t memory_type) const {
-  if (!has(path)) throw InputError(fmt::format("{}: {} is missing", name_, path));
-  const std::lock_guard lock(library());
-  const Hdf5Handle dataset(H5Dopen2(file_.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!dataset.valid()) throw InputError(fmt::format("{}: {} is not an array", name_, path));
-  const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
-  const hssize_t count = space.valid() ? H5Sget_simple_extent_npoints(space.id()) : -1;
-  if (count < 0 || H5Sget_simple_extent_ndims(space.id()) != 1) {
-    throw InputError(fmt::format("{}: {} must have one dimension", name_, path));
-  }
-  std::vector<T> values(static_cast<std::size_t>(count));
-  if (count > 0 && H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
-    throw InputError(fmt::format("{}: {} cannot be read (damaged, or not numbers)", name_, path));
-  }
-  return values;
+const Hdf5Array& Hdf5Reader::array(const std::string& path) const {
+  const auto found = image_.arrays.find(path);
+  if (found == image_.arrays.end()) throw InputError(fmt::format("{}: {} is missing", name_, path));
+  return found->second;
 }
 
 std::vector<double> Hdf5Reader::doubles(const std::string& path) const {
-  return read_array<double>(path, H5T_NATIVE_DOUBLE);
+  const Hdf5Array& stored = array(path);
+  const std::string what = fmt::format("{}: {}", name_, path);
+  if (stored.kind == Hdf5Kind::real64) return converted<double, double>(hdf5_values(stored, what));
+  if (stored.kind == Hdf5Kind::int32) return converted<int, double>(hdf5_values(stored, what));
+  throw InputError(what + " does not hold numbers (must be of 64 bits, or whole of 32)");
 }
 
 std::vector<int> Hdf5Reader::ints(const std::string& path) const {
-  return read_array<int>(path, H5T_NATIVE_INT);
+  const Hdf5Array& stored = array(path);
+  const std::string what = fmt::format("{}: {}", name_, path);
+  if (stored.kind == Hdf5Kind::int32) return converted<int, int>(hdf5_values(stored, what));
+  throw InputError(what + " does not hold whole numbers of 32 bits");
 }
 
 bool Hdf5Reader::has_attribute(const std::string& name) const {
-  const std::lock_guard lock(library());
-  return H5Aexists(file_.id(), name.c_str()) > 0;
+  return image_.attributes.contains(name) || image_.arrays.contains(text_path(name));
+}
+
+const Hdf5Attribute& Hdf5Reader::attribute(const std::string& name) const {
+  const auto found = image_.attributes.find(name);
+  if (found == image_.attributes.end()) throw InputError(fmt::format("{}: attribute {} is missing", name_, name));
+  return found->second;
 }
 
 std::string Hdf5Reader::text_attribute(const std::string& name) const {
-  const std::lock_guard lock(library());
-  const Hdf5Handle attribute(H5Aopen(file_.id(), name.c_str(), H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid()) throw InputError(fmt::format("{}: attribute {} is missing", name_, name));
-  const Hdf5Handle type = variable_text_type();
-  char* text = nullptr;
-  if (H5Aread(attribute.id(), type.id(), &text) < 0 || text == nullptr) {
-    throw InputError(fmt::format("{}: attribute {} is not text", name_, name));
+  const auto whole = image_.arrays.find(text_path(name));
+  if (whole != image_.arrays.end() && whole->second.kind == Hdf5Kind::byte) {
+    return hdf5_values(whole->second, fmt::format("{}: {}", name_, whole->first));
   }
-  std::string value(text);
-  H5free_memory(text);
-  return value;
+  const Hdf5Attribute& stored = attribute(name);
+  if (stored.kind != Hdf5Kind::text) throw InputError(fmt::format("{}: attribute {} is not text", name_, name));
+  return std::string(stored.bytes.substr(0, stored.bytes.find('\0')));
 }
 
 double Hdf5Reader::number_attribute(const std::string& name) const {
-  const std::lock_guard lock(library());
-  const Hdf5Handle attribute(H5Aopen(file_.id(), name.c_str(), H5P_DEFAULT), H5Aclose);
-  double value = 0.0;
-  if (!attribute.valid() || H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0) {
-    throw InputError(fmt::format("{}: attribute {} is missing or not a number", name_, name));
+  const Hdf5Attribute& stored = attribute(name);
+  if (stored.kind == Hdf5Kind::int64) return static_cast<double>(value_at<long long>(stored.bytes, 0));
+  if (stored.kind != Hdf5Kind::real64) throw InputError(fmt::format("{}: attribute {} is not a number", name_, name));
+  const double value = value_at<double>(stored.bytes, 0);
+  if (!std::isfinite(value)) {
+    throw InputError(fmt::format("{}: attribute {} = {} (must be finite)", name_, name, value));
   }
+  return value;
+}
+
+long long Hdf5Reader::integer_attribute(const std::string& name, long long low, long long high) const {
+  const double seen = number_attribute(name);
+  const Hdf5Attribute& stored = attribute(name);
+  const auto refuse = [&](const auto& value) {
+    throw InputError(
+        fmt::format("{}: attribute {} = {} (must be a whole number from {} to {})", name_, name, value, low, high));
+  };
+  constexpr double exact = 9007199254740992.0;  // 2^53: up to it, every whole number is a double
+  const bool whole = stored.kind == Hdf5Kind::int64 || (std::abs(seen) <= exact && seen == std::floor(seen));
+  if (!whole) refuse(seen);
+  const long long value =
+      stored.kind == Hdf5Kind::int64 ? value_at<long long>(stored.bytes, 0) : static_cast<long long>(seen);
+  if (value < low || value > high) refuse(value);
   return value;
 }
 

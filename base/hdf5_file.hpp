@@ -1,7 +1,8 @@
 #pragma once
-/// A thin layer over the HDF5 C library: handles that close themselves, arrays with units, attributes, errors as
-/// exceptions. A file is built in memory and written whole (`base/files.hpp`), so a killed run or a full disk never
-/// leaves a half file, and the same content always gives the same bytes (no time stamps are stored).
+/// Arrays with units and attributes in HDF5 files, errors as exceptions. A file is built in memory by the HDF5 library
+/// and written whole (`base/files.hpp`), so a killed run or a full disk never leaves a half file, and the same content
+/// always gives the same bytes (no time stamps are stored). It is read by our own reader (`hdf5_image.hpp`), because a
+/// file may come from a stranger.
 
 #include <hdf5.h>
 
@@ -10,6 +11,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/hdf5_image.hpp"
 
 namespace base {
 
@@ -41,7 +44,8 @@ class Hdf5Writer {
              const std::string& meaning);
   void array(const std::string& path, std::span<const int> values, const std::string& units,
              const std::string& meaning);
-  /// Attributes of the root group.
+  /// Attributes of the root group. Texts have a fixed length, UTF-8; one too long for an attribute becomes an array of
+  /// bytes, /texts/NAME.
   void attribute(const std::string& name, std::string_view value);
   void attribute(const std::string& name, double value);
   void attribute(const std::string& name, long long value);
@@ -50,36 +54,40 @@ class Hdf5Writer {
   void save(const std::filesystem::path& path);
 
  private:
-  void write_array(const std::string& path, const void* values, std::size_t count, hid_t memory_type,
+  void write_array(const std::string& path, const void* values, std::size_t count, Hdf5Kind kind,
                    const std::string& units, const std::string& meaning);
   Hdf5Handle file_;
 };
 
-/// Reads what `Hdf5Writer` wrote, or any file with the same paths. Every failure is an `InputError` naming the file.
+/// Reads what `Hdf5Writer` wrote, and nothing else. The file is read once, and what was checked is what is used. Every
+/// failure is an `InputError` naming the file.
 class Hdf5Reader {
  public:
+  /// Throws when the file does not end in the checksum that `Hdf5Writer` gives it, or holds what it never writes.
   explicit Hdf5Reader(const std::filesystem::path& path);
+  Hdf5Reader(Hdf5Reader&&) = default;
 
-  /// Throws `InputError` when the file does not end in the checksum that `Hdf5Writer` gives it. A file of ours is only
-  /// safe to read when it does: the library trusts what it reads, and one wrong byte can make it crash.
-  void require_checksum() const;
-  /// `require_checksum`, then throws `InputError` unless the root attributes `format` and `format_version` are these.
+  /// Throws unless the root attributes `format` and `format_version` are these.
   void require_format(const std::string& format, long long version) const;
 
+  /// An array of this path, or a group that holds one.
   bool has(const std::string& path) const;
   std::vector<double> doubles(const std::string& path) const;
   std::vector<int> ints(const std::string& path) const;
-  std::string text_attribute(const std::string& name) const;
-  double number_attribute(const std::string& name) const;
   bool has_attribute(const std::string& name) const;
+  std::string text_attribute(const std::string& name) const;
+  /// A finite number.
+  double number_attribute(const std::string& name) const;
+  /// A whole number from `low` to `high`.
+  long long integer_attribute(const std::string& name, long long low, long long high) const;
   const std::string& name() const { return name_; }
 
  private:
-  template <class T>
-  std::vector<T> read_array(const std::string& path, hid_t memory_type) const;
+  const Hdf5Array& array(const std::string& path) const;
+  const Hdf5Attribute& attribute(const std::string& name) const;
   std::string name_;
-  bool sealed_ = false;  ///< ends in a checksum, which was right
-  Hdf5Handle file_;
+  std::vector<char> bytes_;  ///< a vector, whose bytes stay in place when it is moved
+  Hdf5Image image_;
 };
 
 }  // namespace base

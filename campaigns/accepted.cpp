@@ -67,7 +67,7 @@ void accept(Accepted& accepted, const Study& study, const std::filesystem::path&
 Accepted accepted_rows(const Study& study, const std::filesystem::path& folder) {
   Accepted accepted;
   const std::filesystem::path file = folder / "accepted.csv";
-  if (std::filesystem::exists(file)) accept(accepted, study, file);
+  if (base::is_there(file)) accept(accepted, study, file);
   return accepted;
 }
 

@@ -35,11 +35,12 @@ base::Section describe(RunningRecord& record) {
 }  // namespace
 
 void require_folder(const Study& study, const Path& folder) {
-  if (!std::filesystem::is_directory(folder)) {
+  std::error_code no_folder;
+  if (!std::filesystem::is_directory(folder, no_folder)) {
     throw base::InputError(
         fmt::format("{}: there is no such folder (bitrock campaign run makes and fills it)", folder.string()));
   }
-  if (!std::filesystem::exists(folder / "study.toml")) {
+  if (!base::is_there(folder / "study.toml")) {
     throw base::InputError(fmt::format(
         "{} is no campaign's folder: it has no study.toml (bitrock campaign run makes one)", folder.string()));
   }
@@ -48,7 +49,7 @@ void require_folder(const Study& study, const Path& folder) {
 
 void open_folder(const Study& study, const Path& folder) {
   base::require_writable_folder(folder);
-  const bool is_new = !std::filesystem::exists(folder / "study.toml");
+  const bool is_new = !base::is_there(folder / "study.toml");
   if (!is_new) refuse_other_study(study, folder);
   for (const char* part : {"runs", "running", "specimens", "failed"}) base::require_writable_folder(folder / part);
   if (is_new) base::write_whole(folder / "study.toml", resolved_toml(study));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/files.hpp"
 #include "campaigns/folder.hpp"
 #include "campaigns/rocks.hpp"
 #include "campaigns/status.hpp"
@@ -54,7 +55,7 @@ Plan plan(const Study& study, const std::filesystem::path& folder, double ns_per
   plan.jobs = static_cast<int>(missing.size());
   plan.cases = plan.jobs / static_cast<int>(study.seeds.size());
   plan.rocks = static_cast<int>(rocks.size());
-  if (!folder.empty() && std::filesystem::exists(folder / "study.toml")) {
+  if (!folder.empty() && base::is_there(folder / "study.toml")) {
     const Survey survey = look(study, folder);
     plan.done = survey.status.done;
     plan.failed = survey.status.failed;

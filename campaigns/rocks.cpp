@@ -22,7 +22,7 @@ std::uint64_t seed_of(const Job& job) {
 
 /// The rock of the file when it is the one asked for.
 std::optional<dem2d::Specimen> kept_rock(const std::filesystem::path& file, const Job& job) {
-  if (!std::filesystem::exists(file)) return std::nullopt;
+  if (!base::is_there(file)) return std::nullopt;
   try {
     dem2d::Specimen kept = dem2d::read_specimen(file);
     const std::string why = dem2d::mismatch(kept, job.cut.rock, job.cut.bed_length, job.cut.bed_height, seed_of(job));

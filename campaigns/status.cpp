@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/files.hpp"
 #include "campaigns/accepted.hpp"
 #include "campaigns/plan.hpp"
 
@@ -51,7 +52,7 @@ Survey look(const Study& study, const std::filesystem::path& folder) {
     if (record) {
       ++status.running;
       survey.running.push_back({job, *record});
-    } else if (std::filesystem::exists(failure_path(folder, job))) {
+    } else if (base::is_there(failure_path(folder, job))) {
       ++status.failed;
     } else {
       ++status.remaining;

@@ -28,14 +28,15 @@ std::optional<dem2d::AnimationKind> kind_of(const fs::path& output) {
   if (extension == ".gif") return dem2d::AnimationKind::gif;
   if (extension == ".mp4") return dem2d::AnimationKind::mp4;
   if (extension == ".webm") return dem2d::AnimationKind::webm;
-  if (extension.empty() || fs::is_directory(output)) return std::nullopt;
+  std::error_code no_folder;
+  if (extension.empty() || fs::is_directory(output, no_folder)) return std::nullopt;
   throw base::InputError(
       fmt::format("{}: no animation ends in {} (allowed: .gif, .mp4, .webm, or a folder for PNG frames)",
                   output.string(), extension));
 }
 
-void draw_frames(const Options& options, const dem2d::RunFile& run, const fs::path& folder) {
-  const base::Hdf5Reader frames(options.run_file);
+void draw_frames(const Options& options, const base::Hdf5Reader& frames, const dem2d::RunFile& run,
+                 const fs::path& folder) {
   Progress progress(options.common, "drawing", "frames");
   const auto tell = progress.callback();
   for (int k = 0; k < run.frame_count; ++k) {
@@ -50,12 +51,13 @@ void draw_frames(const Options& options, const dem2d::RunFile& run, const fs::pa
 void prepare_folder(const fs::path& folder, int frames) {
   base::require_writable_folder(folder);
   const fs::path next = folder / dem2d::frame_name(frames);
-  if (fs::exists(next))
+  if (base::is_there(next))
     throw base::InputError(fmt::format("{} is of a longer animation (give an empty folder)", next.string()));
 }
 
 void run(const Options& options) {
-  const dem2d::RunFile file = dem2d::read_run(options.run_file);
+  const base::Hdf5Reader stored(options.run_file);
+  const dem2d::RunFile file = dem2d::read_run(stored);
   if (file.frame_count < 2) {
     throw base::InputError(
         fmt::format("{}: shows one instant only, the end of the cut (make the run with `bitrock cut --frames 60`)",
@@ -65,14 +67,14 @@ void run(const Options& options) {
   if (!kind) {
     require_outputs(options.common, {options.run_file}, {});
     prepare_folder(options.output, file.frame_count);
-    draw_frames(options, file, options.output);
+    draw_frames(options, stored, file, options.output);
     say(options.common, "{} frames -> {}\n", file.frame_count,
         (fs::path(options.output) / dem2d::frame_name(0)).string());
   } else {
     require_outputs(options.common, {options.run_file}, {options.output});
     const std::string encoder = dem2d::find_encoder(*kind);
     const dem2d::TemporaryFolder folder;
-    draw_frames(options, file, folder.path());
+    draw_frames(options, stored, file, folder.path());
     const std::string bytes =
         dem2d::encode_frames(encoder, *kind, file.frame_count, options.frames_per_second, folder.path());
     base::write_whole(options.output, bytes);

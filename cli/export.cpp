@@ -34,8 +34,8 @@ void add_instant(Series& series, const fs::path& folder, int number, double time
 }
 
 void export_vtk(const VtkOptions& options) {
-  const dem2d::RunFile run = dem2d::read_run(options.run_file);
   const base::Hdf5Reader frames(options.run_file);
+  const dem2d::RunFile run = dem2d::read_run(frames);
   require_outputs(options.common, {options.run_file}, {});
   const fs::path folder = options.output;
   base::require_writable_folder(folder / "frames");

@@ -30,7 +30,6 @@ struct History {
 
 History from_hdf5(const Options& options) {
   const base::Hdf5Reader file(options.file);
-  file.require_checksum();
   History history;
   history.column = options.column.empty() ? "x_N_per_m" : options.column;
   const std::string path = history.column.front() == '/' ? history.column : "/force/" + history.column;

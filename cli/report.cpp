@@ -24,9 +24,14 @@ struct Options {
 // Force histories shown small, side by side; a large campaign has too many for one page.
 constexpr std::size_t most_overviews = 12;
 
+bool is_folder(const std::filesystem::path& path) {
+  std::error_code no_folder;
+  return std::filesystem::is_directory(path, no_folder);
+}
+
 std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  if (std::filesystem::is_directory(folder)) {
+  if (is_folder(folder)) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (entry.path().extension() == ".h5") files.push_back(entry.path());
     }
@@ -71,7 +76,7 @@ void report_campaign(const Options& options) {
   const auto model_file = folder / "model.json", data_file = folder / "features.csv",
              bit_file = folder / "bit_force.csv";
   const std::vector<dem2d::RunFile> runs = read_runs(folder / "runs");
-  const bool has_model = std::filesystem::exists(model_file), has_bit = std::filesystem::exists(bit_file);
+  const bool has_model = base::is_there(model_file), has_bit = base::is_there(bit_file);
   if (runs.empty() && !has_model && !has_bit) {
     throw base::InputError(fmt::format(
         "{} holds nothing to report (looked for runs/*.h5, model.json and bit_force.csv)", folder.string()));
@@ -87,7 +92,7 @@ void report_campaign(const Options& options) {
                  "Ten small networks, one for each statistic of each force: speed, depth and rake in, one number out. "
                  "Peak counts are per metre of cut.");
     add_learning_curves(page, model);
-    if (std::filesystem::exists(data_file)) {
+    if (base::is_there(data_file)) {
       const surrogate::TrainingData data = surrogate::read_training_data(data_file);
       page.section("Network against DEM");
       add_parity(page, model, surrogate::parity(model, data));
@@ -125,12 +130,12 @@ void report_drill(const Options& options) {
                                        names.size(), most_shown_runs));
   std::vector<runtime::DrillFile> files;
   for (const std::string& name : names) {
-    if (!std::filesystem::exists(name))
+    if (!base::is_there(name))
       throw base::InputError(
           fmt::format("{} is not a folder or a file (a campaign folder is needed, or files of "
                       "`bitrock drill run`)",
                       name));
-    if (std::filesystem::is_directory(name))
+    if (is_folder(name))
       throw base::InputError(fmt::format("{} is a folder (one campaign folder alone, or files of drill runs)", name));
     files.push_back(runtime::read_drill_run(name));
   }
@@ -157,7 +162,7 @@ void report_drill(const Options& options) {
 }
 
 void run(const Options& options) {
-  if (options.inputs.size() == 1 && std::filesystem::is_directory(options.inputs.front()))
+  if (options.inputs.size() == 1 && is_folder(options.inputs.front()))
     report_campaign(options);
   else
     report_drill(options);

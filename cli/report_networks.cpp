@@ -76,7 +76,7 @@ void add_bit_force(report::Page& page, const std::filesystem::path& csv, const s
   for (double& value : force) value *= 1e-3;
 
   std::string what = "whole bit";
-  if (!json.empty() && std::filesystem::exists(json)) {
+  if (!json.empty() && base::is_there(json)) {
     try {
       const nlohmann::json result = nlohmann::json::parse(base::read_whole(json));
       what = fmt::format("{}, {:g} rpm, {:g} m/h ({:.3g} mm per turn)", result.at("bit").get<std::string>(),

@@ -19,8 +19,9 @@ struct Options {
 };
 
 void run(const Options& options) {
-  dem2d::RunFile file = dem2d::read_run(options.run_file);
-  if (options.frame >= 0) file.run.frames = {dem2d::read_frame(base::Hdf5Reader(options.run_file), options.frame)};
+  const base::Hdf5Reader stored(options.run_file);
+  dem2d::RunFile file = dem2d::read_run(stored);
+  if (options.frame >= 0) file.run.frames = {dem2d::read_frame(stored, options.frame)};
   require_outputs(options.common, {options.run_file}, {options.output});
   base::write_whole(options.output, dem2d::draw_snapshot(file, options.width_px));
   say(options.common, "-> {}\n", options.output);

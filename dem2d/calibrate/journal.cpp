@@ -47,7 +47,7 @@ void check_row(const base::CsvTable& table, std::size_t row) {
 
 Journal::Journal(std::filesystem::path path, const std::string& inputs)
     : path_(std::move(path)), lock_(path_), inputs_(static_cast<double>(base::fingerprint(inputs) >> 12)) {
-  if (!std::filesystem::exists(path_) || is_new(path_)) return;
+  if (!base::is_there(path_) || is_new(path_)) return;
   const base::CsvTable table = base::read_csv(path_);
   if (table.names != column_names) {
     throw base::InputError(

@@ -40,7 +40,8 @@ void write_frame(base::Hdf5Writer& file, const std::string& group, const Frame& 
 
 double single_number(const base::Hdf5Reader& file, const std::string& path) {
   const std::vector<double> values = file.doubles(path);
-  if (values.size() != 1) throw base::InputError(fmt::format("{}: {} must be one number", file.name(), path));
+  if (values.size() != 1 || !std::isfinite(values[0]))
+    throw base::InputError(fmt::format("{}: {} must be one finite number", file.name(), path));
   return values[0];
 }
 
@@ -59,6 +60,8 @@ void check_frame(const Frame& frame, int born, const std::string& where) {
     if (!std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); }))
       refuse("a position, radius or velocity is not a finite number");
   }
+  if (!std::all_of(frame.radius.begin(), frame.radius.end(), [](double radius) { return radius > 0.0; }))
+    refuse("a radius is not above 0");
   const auto possible = [born](int number) { return number >= 0 && number < born; };
   for (const std::vector<int>* numbers : {&frame.id, &frame.fragment, &frame.joint_disc1, &frame.joint_disc2}) {
     if (!std::all_of(numbers->begin(), numbers->end(), possible))
@@ -78,6 +81,10 @@ void check_frame(const Frame& frame, int born, const std::string& where) {
 void write_frames(base::Hdf5Writer& file, const std::vector<Frame>& frames) {
   const int count = static_cast<int>(frames.size());
   for (int k = 0; k < count; ++k) write_frame(file, group_of(k, count), frames[static_cast<std::size_t>(k)]);
+}
+
+int born_discs(const base::Hdf5Reader& file) {
+  return static_cast<int>(file.integer_attribute("discs", 1, static_cast<long long>(most_discs)));
 }
 
 int count_frames(const base::Hdf5Reader& file) {
@@ -110,8 +117,7 @@ Frame read_frame(const base::Hdf5Reader& file, int number) {
     frame.joint_disc1 = file.ints(group + "/joint_disc_1");
     frame.joint_disc2 = file.ints(group + "/joint_disc_2");
   }
-  const int born = static_cast<int>(file.number_attribute("discs"));
-  check_frame(frame, born, fmt::format("{} ({})", file.name(), group));
+  check_frame(frame, born_discs(file), fmt::format("{} ({})", file.name(), group));
   return frame;
 }
 

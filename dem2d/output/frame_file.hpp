@@ -12,6 +12,9 @@ namespace dem2d {
 
 void write_frames(base::Hdf5Writer& file, const std::vector<Frame>& frames);
 
+/// How many discs the bed had, attribute `discs`.
+int born_discs(const base::Hdf5Reader& file);
+
 /// How many frames a run file holds; at least one.
 int count_frames(const base::Hdf5Reader& file);
 

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/errors.hpp"
-#include "base/hdf5_file.hpp"
+#include "base/files.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "dem2d/output/frame_file.hpp"
@@ -109,6 +110,26 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
 
 namespace {
 
+constexpr long long most_whole = std::numeric_limits<long long>::max();
+
+double positive_attribute(const base::Hdf5Reader& file, const char* name) {
+  const double value = file.number_attribute(name);
+  if (value > 0.0) return value;
+  throw base::InputError(fmt::format("{}: attribute {} = {} (must be above 0)", file.name(), name, value));
+}
+
+/// Throws unless the crack can be counted and drawn.
+void check_crack(const Crack& crack, int born, const std::string& where) {
+  const auto refuse = [&where](const std::string& why) { throw base::InputError(where + why); };
+  for (const double value : {crack.time, crack.x, crack.y, crack.normal_angle, crack.length}) {
+    if (!std::isfinite(value)) refuse("a time, place, angle or length is not a finite number");
+  }
+  if (crack.mode != 1 && crack.mode != 2) refuse(fmt::format("mode {} (must be 1 or 2)", crack.mode));
+  for (const int disc : {crack.disc1, crack.disc2}) {
+    if (disc < 0 || disc >= born) refuse(fmt::format("names disc {} (must be from 0 to {})", disc, born - 1));
+  }
+}
+
 std::vector<Crack> read_cracks(const base::Hdf5Reader& file) {
   const auto time = file.doubles("/cracks/time_s"), x = file.doubles("/cracks/x_m"), y = file.doubles("/cracks/y_m"),
              angle = file.doubles("/cracks/normal_angle_rad"), length = file.doubles("/cracks/length_m");
@@ -117,9 +138,11 @@ std::vector<Crack> read_cracks(const base::Hdf5Reader& file) {
        {x.size(), y.size(), angle.size(), length.size(), mode.size(), disc1.size(), disc2.size()}) {
     if (size != time.size()) throw base::InputError(file.name() + ": crack arrays differ in length");
   }
+  const int born = born_discs(file);
   std::vector<Crack> cracks;
   for (std::size_t k = 0; k < time.size(); ++k) {
     cracks.push_back({time[k], x[k], y[k], angle[k], length[k], mode[k], disc1[k], disc2[k]});
+    check_crack(cracks.back(), born, fmt::format("{}: crack {}: ", file.name(), k));
   }
   return cracks;
 }
@@ -135,31 +158,35 @@ void read_forces(const base::Hdf5Reader& file, CutRun& run) {
     if (!std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); }))
       throw base::InputError(file.name() + ": a force or time is not a finite number");
   }
+  if (!std::is_sorted(run.time.begin(), run.time.end()))
+    throw base::InputError(file.name() + ": the times of the force samples do not go up");
 }
 
 }  // namespace
 
 RunFile read_run(const std::filesystem::path& path) {
-  const base::Hdf5Reader file(path);
+  return read_run(base::Hdf5Reader(path));
+}
+
+RunFile read_run(const base::Hdf5Reader& file) {
   file.require_format(format_name, format_version);
   RunFile result;
   result.status = file.text_attribute("status");
-  if (result.status != "complete")
-    throw base::InputError(fmt::format("{}: the run is not complete (status {})", path.string(), result.status));
+  if (result.status != "complete") throw base::InputError(file.name() + ": the run is not complete (make it again)");
   result.config_toml = file.text_attribute("config_toml");
   result.config_hash = file.text_attribute("config_hash");
-  result.seed = static_cast<std::uint64_t>(file.number_attribute("seed"));
-  result.cut = parse_resolved(result.config_toml, path.string() + " (config_toml)");
+  result.seed = static_cast<std::uint64_t>(file.integer_attribute("seed", 0, most_whole));
+  result.cut = parse_resolved(result.config_toml, file.name() + " (config_toml)");
   result.frame_count = count_frames(file);
 
   CutRun& run = result.run;
   run.bed_origin = file.text_attribute("bed_origin");
-  run.discs = static_cast<int>(file.number_attribute("discs"));
-  run.joints = static_cast<int>(file.number_attribute("joints"));
-  run.step = file.number_attribute("step_s");
-  run.steps = static_cast<long long>(file.number_attribute("steps"));
-  run.cut_length = file.number_attribute("cut_length_m");
-  run.duration = file.number_attribute("duration_s");
+  run.discs = born_discs(file);
+  run.joints = static_cast<int>(file.integer_attribute("joints", 0, std::numeric_limits<int>::max()));
+  run.step = positive_attribute(file, "step_s");
+  run.steps = file.integer_attribute("steps", 1, most_whole);
+  run.cut_length = positive_attribute(file, "cut_length_m");
+  run.duration = positive_attribute(file, "duration_s");
   run.mean_force_x = file.number_attribute("mean_force_x_N_per_m");
   run.mean_force_y = file.number_attribute("mean_force_y_N_per_m");
   run.specific_energy = file.number_attribute("specific_energy_Pa");
@@ -176,7 +203,7 @@ RunFile read_run(const std::filesystem::path& path) {
 }
 
 std::optional<RunFile> read_complete_run(const std::filesystem::path& path, const std::string& hash) {
-  if (!std::filesystem::exists(path)) return std::nullopt;
+  if (!base::is_there(path)) return std::nullopt;
   try {
     RunFile file = read_run(path);
     if (file.config_hash == hash && file.run.bed_origin == origin_genesis) return file;

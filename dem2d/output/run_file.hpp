@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/hdf5_file.hpp"
 #include "dem2d/cut/run_cut.hpp"
 
 namespace dem2d {
@@ -31,6 +32,8 @@ struct RunFile {
 
 /// Throws `base::InputError` when the file is not a whole run.
 RunFile read_run(const std::filesystem::path& path);
+/// The same of an open file, for those who go on to read its other frames.
+RunFile read_run(const base::Hdf5Reader& file);
 
 /// The run when `path` is a complete one with this hash, in a bed packed by this program; empty for anything else,
 /// without an exception.

@@ -9,19 +9,12 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "dem2d/step/pairs.hpp"
 
 namespace dem2d {
 
 namespace {
 
 constexpr std::size_t fewest_discs = 10;
-constexpr std::size_t most_pairs_per_disc = 16;  // three in a plane packing of like discs, six with many small ones
-constexpr double largest_overlap = 0.5;          // over the smaller radius; genesis leaves at most about 0.25 [1]
-
-// The same radii as in a rock file. Farther out, a disc is more likely a slip of units than rock.
-constexpr base::Range allowed_radius{.low = 1e-6, .high = 1.0};  // [m]
-constexpr base::Range allowed_place{.low = -1e3, .high = 1e3};   // [m]
 
 struct Bounds {
   double x_low, y_low, x_high, y_high;
@@ -57,28 +50,17 @@ void require_inside(const Specimen& discs, const base::CsvTable& table) {
   }
 }
 
-/// Looks at the first pairs only where there are more than any packing has: a heap of discs, or radii in a wrong unit,
-/// would have one for every two discs.
 void refuse_absurd_overlaps(const Specimen& specimen, const base::CsvTable& table) {
-  Discs discs;
-  discs.x = specimen.x;
-  discs.y = specimen.y;
-  discs.radius = specimen.radius;
-  const Pairs pairs = pairs_within(discs, 0.0, most_pairs_per_disc * specimen.x.size());
-  for (std::size_t k = 0; k < pairs.disc1.size(); ++k) {
-    const auto i = static_cast<std::size_t>(pairs.disc1[k]), j = static_cast<std::size_t>(pairs.disc2[k]);
-    const double distance = std::hypot(discs.x[j] - discs.x[i], discs.y[j] - discs.y[i]);
-    if (distance == 0.0) {
-      throw base::InputError(fmt::format("{}: the discs of lines {} and {} have the same centre", table.source,
-                                         table.lines[i], table.lines[j]));
-    }
-    const double overlap = (discs.radius[i] + discs.radius[j] - distance) / std::min(discs.radius[i], discs.radius[j]);
-    if (overlap > largest_overlap) {
-      throw base::InputError(fmt::format(
-          "{}: the discs of lines {} and {} overlap by {:.3g} of the smaller radius (at most {} is allowed)",
-          table.source, table.lines[i], table.lines[j], overlap, largest_overlap));
-    }
+  const std::optional<Overlap> found = absurd_overlap(specimen);
+  if (!found) return;
+  const int first = table.lines[found->disc1], second = table.lines[found->disc2];
+  if (found->same_centre) {
+    throw base::InputError(
+        fmt::format("{}: the discs of lines {} and {} have the same centre", table.source, first, second));
   }
+  throw base::InputError(
+      fmt::format("{}: the discs of lines {} and {} overlap by {:.3g} of the smaller radius (at most {} is allowed)",
+                  table.source, first, second, found->share, largest_overlap));
 }
 
 void require_values(const base::CsvTable& table, const std::string& column, const base::Range& allowed) {

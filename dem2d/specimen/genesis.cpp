@@ -24,7 +24,6 @@ constexpr int calm_interval = 5;             // steps between two zeroings of al
 constexpr double calm_overlap = 0.25;        // largest overlap over diameter after calming [1]
 constexpr int check_interval = 100;          // steps between two looks at overlap, step and equilibrium
 constexpr int most_calm_steps = 20000;       // seen to need a few hundred
-constexpr double most_discs = 1e7;           // some 10 GB
 constexpr int most_packing_steps = 400000;   // of one equilibration; seen to need about 10,000
 constexpr int most_rounds = 200;             // of growth; seen to need less than ten, and 20 from the loosest cloud
 constexpr double rough_ratio = 1e-3;         // equilibrium ratio that is enough to look at the pressure and grow [1]

@@ -13,7 +13,16 @@ namespace dem2d {
 
 namespace {
 
-constexpr int fewest_firm_joints = 3;  // of a disc that is no floater
+constexpr int fewest_firm_joints = 3;            // of a disc that is no floater
+constexpr std::size_t most_pairs_per_disc = 16;  // three in a plane packing of like discs, six with many small ones
+
+Discs discs_of(const Specimen& specimen) {
+  Discs discs;
+  discs.x = specimen.x;
+  discs.y = specimen.y;
+  discs.radius = specimen.radius;
+  return discs;
+}
 
 // Some floaters in the middle of a packing are as usual; a twentieth of the discs apart is not [1].
 constexpr double least_largest_piece = 0.95;
@@ -29,12 +38,22 @@ double lens_area(double a, double b, double d) {
 
 }  // namespace
 
+std::optional<Overlap> absurd_overlap(const Specimen& specimen) {
+  // only the first pairs where there are more than any packing has: a heap of discs, or radii in a wrong unit, would
+  // have one for every two discs
+  const Discs discs = discs_of(specimen);
+  const Pairs pairs = pairs_within(discs, 0.0, most_pairs_per_disc * discs.x.size());
+  for (std::size_t k = 0; k < pairs.disc1.size(); ++k) {
+    const auto i = static_cast<std::size_t>(pairs.disc1[k]), j = static_cast<std::size_t>(pairs.disc2[k]);
+    const double distance = std::hypot(discs.x[j] - discs.x[i], discs.y[j] - discs.y[i]);
+    const double overlap = (discs.radius[i] + discs.radius[j] - distance) / std::min(discs.radius[i], discs.radius[j]);
+    if (overlap > largest_overlap) return Overlap{i, j, overlap, distance == 0.0};
+  }
+  return std::nullopt;
+}
+
 void join_neighbours(Specimen& specimen) {
-  Discs discs;
-  discs.x = specimen.x;
-  discs.y = specimen.y;
-  discs.radius = specimen.radius;
-  Pairs pairs = pairs_within(discs, specimen.rock.installation_gap);
+  Pairs pairs = pairs_within(discs_of(specimen), specimen.rock.installation_gap);
   specimen.disc1 = std::move(pairs.disc1);
   specimen.disc2 = std::move(pairs.disc2);
 }

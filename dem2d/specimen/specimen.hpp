@@ -3,16 +3,21 @@
 /// from a packing made elsewhere (discs_file.hpp), is kept in a file (specimen_file.hpp), and becomes a world that can
 /// be loaded (bonded_world.hpp).
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/config.hpp"
 #include "dem2d/specimen/rock.hpp"
 
 namespace dem2d {
 
 /// What `Specimen::origin` says of one that this program has packed.
 inline constexpr const char* origin_genesis = "genesis";
+
+inline constexpr double most_discs = 1e7;  ///< of one specimen or bed; they need some 10 GB
 
 struct Specimen {
   Rock rock;
@@ -29,6 +34,21 @@ struct Specimen {
 
   bool packed_elsewhere() const { return origin != origin_genesis; }
 };
+
+// What a disc can be. The same radii as in a rock file; farther out, a disc is more likely a slip of units than rock.
+inline constexpr base::Range allowed_radius{.low = 1e-6, .high = 1.0};  // [m]
+inline constexpr base::Range allowed_place{.low = -1e3, .high = 1e3};   // [m]
+inline constexpr double largest_overlap = 0.5;  // over the smaller radius; genesis leaves at most about 0.25 [1]
+
+/// Two discs that lie in each other.
+struct Overlap {
+  std::size_t disc1 = 0, disc2 = 0;
+  double share = 0.0;  ///< of the smaller radius [1]
+  bool same_centre = false;
+};
+
+/// The first two discs that overlap by more than `largest_overlap`; empty when there are none.
+std::optional<Overlap> absurd_overlap(const Specimen& specimen);
 
 /// Joins every pair of discs whose surfaces are not farther apart than the installation gap of the rock.
 void join_neighbours(Specimen& specimen);

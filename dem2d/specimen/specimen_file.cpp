@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
@@ -14,6 +18,53 @@ namespace dem2d {
 namespace {
 constexpr const char* format_name = "bitrock-specimen";
 constexpr long long format_version = 1;
+
+/// Why the joints cannot be those of the discs, in words; empty when they can.
+std::string impossible_joints(const Specimen& specimen) {
+  if (specimen.disc1.size() != specimen.disc2.size()) return "joint arrays differ in length";
+  const auto discs = static_cast<int>(specimen.x.size());
+  const double farthest = specimen.rock.installation_gap + 1e-9;  // rounding [m]
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t k = 0; k < specimen.disc1.size(); ++k) {
+    const int a = specimen.disc1[k], b = specimen.disc2[k];
+    if (a < 0 || b <= a || b >= discs) return fmt::format("joint {} names discs {} and {}", k, a, b);
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    const double distance = std::hypot(specimen.x[j] - specimen.x[i], specimen.y[j] - specimen.y[i]);
+    if (distance - specimen.radius[i] - specimen.radius[j] > farthest) {
+      return fmt::format("joint {} joins discs {} and {}, which are not neighbours", k, a, b);
+    }
+    pairs.emplace_back(a, b);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  const auto twice = std::adjacent_find(pairs.begin(), pairs.end());
+  return twice == pairs.end() ? "" : fmt::format("discs {} and {} are joined twice", twice->first, twice->second);
+}
+
+/// Why the file cannot be a specimen of ours, in words; empty when it can.
+std::string impossible(const Specimen& specimen) {
+  const std::size_t discs = specimen.x.size();
+  if (discs == 0 || specimen.y.size() != discs || specimen.radius.size() != discs)
+    return "disc arrays differ in length";
+  if (static_cast<double>(discs) > most_discs) return fmt::format("{} discs (at most {:g})", discs, most_discs);
+  for (const auto& [name, size] : {std::pair{"width_m", specimen.width}, {"height_m", specimen.height}}) {
+    if (!(size > 0.0 && size <= allowed_place.high)) {
+      return fmt::format("{} = {} (must be above 0 and at most {:g})", name, size, allowed_place.high);
+    }
+  }
+  for (std::size_t i = 0; i < discs; ++i) {
+    const double x = specimen.x[i], y = specimen.y[i];
+    const bool inside = x >= 0.0 && x <= specimen.width && y >= 0.0 && y <= specimen.height;
+    if (!inside || !allowed_radius.contains(specimen.radius[i])) {
+      return fmt::format("disc {} at ({}, {}) m of radius {} m (must lie in the box, its radius be {})", i, x, y,
+                         specimen.radius[i], allowed_radius.text());
+    }
+  }
+  if (const auto overlap = absurd_overlap(specimen)) {
+    return fmt::format("discs {} and {} overlap by {:.3g} of the smaller radius (at most {})", overlap->disc1,
+                       overlap->disc2, overlap->share, largest_overlap);
+  }
+  return impossible_joints(specimen);
+}
 }  // namespace
 
 void write_specimen(const Specimen& specimen, const std::filesystem::path& path) {
@@ -50,7 +101,7 @@ Specimen read_specimen(const std::filesystem::path& path) {
     refuse("made by another version of the packing; make it again");
   Specimen specimen;
   specimen.rock = parse_rock(file.text_attribute("config_toml"), path.string() + " (config_toml)");
-  specimen.seed = static_cast<std::uint64_t>(file.number_attribute("seed"));
+  specimen.seed = static_cast<std::uint64_t>(file.integer_attribute("seed", 0, std::numeric_limits<long long>::max()));
   specimen.width = file.number_attribute("width_m");
   specimen.height = file.number_attribute("height_m");
   specimen.origin = file.text_attribute("origin");
@@ -63,18 +114,7 @@ Specimen read_specimen(const std::filesystem::path& path) {
   specimen.disc1 = file.ints("/joints/disc_1");
   specimen.disc2 = file.ints("/joints/disc_2");
 
-  const std::size_t discs = specimen.x.size();
-  if (discs == 0 || specimen.y.size() != discs || specimen.radius.size() != discs)
-    refuse("disc arrays differ in length");
-  if (specimen.disc1.size() != specimen.disc2.size()) refuse("joint arrays differ in length");
-  for (std::size_t i = 0; i < discs; ++i) {
-    if (!std::isfinite(specimen.x[i] + specimen.y[i]) || !(specimen.radius[i] > 0.0))
-      refuse(fmt::format("disc {} has no valid place or radius", i));
-  }
-  for (std::size_t k = 0; k < specimen.disc1.size(); ++k) {
-    const int a = specimen.disc1[k], b = specimen.disc2[k];
-    if (a < 0 || b <= a || b >= static_cast<int>(discs)) refuse(fmt::format("joint {} names discs {} and {}", k, a, b));
-  }
+  if (const std::string why = impossible(specimen); !why.empty()) refuse(why);
   return specimen;
 }
 

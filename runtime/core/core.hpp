@@ -100,7 +100,8 @@ std::size_t state_bytes(const Core& core);
 /// `state` holds `state_bytes`.
 void save(const Core& core, void* state);
 
-/// False, and nothing changed, when the bytes are not of `save` of a core of the same description.
+/// False, and nothing changed, when the bytes are not of `save` of a core of the same description: every index, count
+/// and number is looked at, also when the checksum fits.
 bool restore(Core& core, const void* state);
 
 }  // namespace runtime

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
@@ -80,6 +81,7 @@ constexpr std::array<std::int64_t ClampTally::*, 7> clamp_counts{
     &ClampTally::depth_above, &ClampTally::rake_below,  &ClampTally::rake_above};
 constexpr std::array<std::int64_t DrawTally::*, 5> draw_counts{
     &DrawTally::drawn, &DrawTally::mean_missed, &DrawTally::band_left, &DrawTally::narrowed, &DrawTally::capped};
+constexpr double most_counted = 9007199254740992.0;  // 2^53
 constexpr const char *clamps_path = "/summary/questions", *draws_path = "/summary/windows";
 
 template <class Tally, std::size_t n>
@@ -132,7 +134,12 @@ template <class Tally, std::size_t n>
 Tally read_tally(const base::Hdf5Reader& file, const char* path, const std::array<std::int64_t Tally::*, n>& counts) {
   const std::vector<double> values = finite_array(file, path, n);
   Tally tally;
-  for (std::size_t i = 0; i < n; ++i) tally.*counts[i] = static_cast<std::int64_t>(values[i]);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!(values[i] >= 0.0 && values[i] <= most_counted && values[i] == std::floor(values[i])))
+      throw base::InputError(fmt::format("{}: {}[{}] = {} (must be a whole number from 0 to {:g})", file.name(), path,
+                                         i, values[i], most_counted));
+    tally.*counts[i] = static_cast<std::int64_t>(values[i]);
+  }
   return tally;
 }
 
@@ -184,7 +191,7 @@ DrillFile read_drill_run(const std::filesystem::path& path) {
   result.run = {.series = read_series(file),
                 .summary = read_summary(file),
                 .step = file.number_attribute("step_s"),
-                .steps = static_cast<long long>(file.number_attribute("steps")),
+                .steps = file.integer_attribute("steps", 1, std::numeric_limits<long long>::max()),
                 .wall_time = file.number_attribute("wall_s")};
   for (const ModesEntry& entry : modes_entries)
     result.modes.*entry.frequencies = finite_array(file, entry.path, file.doubles(entry.path).size());

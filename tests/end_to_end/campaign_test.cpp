@@ -13,6 +13,7 @@
 #include "base/file_lock.hpp"
 #include "base/random.hpp"
 #include "tests/end_to_end/program.hpp"
+#include "tests/hostile_hdf5.hpp"
 
 namespace {
 
@@ -162,6 +163,11 @@ TEST_F(Campaign, ADamagedRunIsMadeAgain) {
   std::string bytes = base::read_whole(damaged);
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
   base::write_whole(damaged, bytes);
+  EXPECT_EQ(status("undisturbed")["remaining"], 1);
+  hostile::write(damaged, [](hid_t file) {  // as a stranger could have made it, behind a right checksum
+    const std::vector<long long> seeds(500, 3);
+    hostile::attribute(file, "seed", H5T_NATIVE_LLONG, seeds.data(), 500);
+  });
   EXPECT_EQ(status("undisturbed")["remaining"], 1);
   const auto again = run("campaign run " + in("undisturbed"));
   EXPECT_EQ(again.status, 0) << again.text;

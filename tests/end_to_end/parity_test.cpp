@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 
 #include "base/child_process.hpp"
@@ -84,6 +85,12 @@ TEST(Parity, OneSeedSaysNothingOfScatter) {
   EXPECT_FALSE(json["rmse"].is_null());
 }
 
+int parts_in(const std::string& folder) {
+  int parts = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) parts += entry.path().extension() == ".part";
+  return parts;
+}
+
 TEST(Parity, WritesFiguresWithScriptAndTable) {
   const Trained with(3);
   const std::string figures = (with.folder / "it's figures").string(),
@@ -96,8 +103,32 @@ TEST(Parity, WritesFiguresWithScriptAndTable) {
     EXPECT_TRUE(std::filesystem::exists(path + ".csv")) << name;
     EXPECT_TRUE(std::filesystem::exists(path + ".gp")) << name;
     EXPECT_EQ(std::filesystem::exists(path + ".png"), can_draw) << name;
-    EXPECT_FALSE(std::filesystem::exists(path + ".png.part")) << name;
   }
+  EXPECT_EQ(parts_in(figures), 0);
+}
+
+TEST(Parity, NothingHalfDrawnStaysWhenGnuplotFailsOrTheUserStops) {
+  const Trained with(2);
+  const std::string path = std::getenv("PATH"), figures = (with.folder / "figures").string();
+  std::filesystem::create_directory(with.folder / "bin");
+  const auto gnuplot_does = [&](const std::string& what) {
+    base::write_whole(with.folder / "bin/gnuplot", "#!/bin/sh\n" + what + "\n");
+    std::filesystem::permissions(with.folder / "bin/gnuplot", std::filesystem::perms::owner_all);
+  };
+  ::setenv("PATH", ((with.folder / "bin").string() + ":" + path).c_str(), 1);
+  gnuplot_does("exit 1");
+  EXPECT_EQ(run("parity " + with.model + " " + with.data + " --figures " + figures).status, 3);
+  EXPECT_EQ(parts_in(figures), 0);
+  gnuplot_does("touch " + (with.folder / "begun").string() + "; exec sleep 20");
+  const pid_t child = program::start({"parity", with.model, with.data, "--quiet", "--figures", figures});
+  while (!std::filesystem::exists(with.folder / "begun")) ::usleep(1000);
+  EXPECT_EQ(parts_in(figures), 1);
+  ::kill(child, SIGTERM);
+  int ended = 0;
+  ::waitpid(child, &ended, 0);
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_TRUE(WIFEXITED(ended) && WEXITSTATUS(ended) == 130);
+  EXPECT_EQ(parts_in(figures), 0);
 }
 
 TEST(Parity, WithoutGnuplotScriptsAreThereAndItSaysSo) {

@@ -118,7 +118,7 @@ TEST(ReportDrill, WhatIsNoDrillRunEndsWithStatus2AndSaysWhy) {
   };
   const std::string whole = base::read_whole(runs.noise), to = " -o " + runs.page;
   base::write_whole(runs.folder / "short.h5", whole.substr(0, whole.size() / 2));
-  refused((runs.folder / "short.h5").string() + to, "short.h5: a damaged or truncated HDF5 file");
+  refused((runs.folder / "short.h5").string() + to, "short.h5: no checksum at its end (truncated");
   std::string changed = whole;
   changed[whole.size() / 3] ^= 1;
   base::write_whole(runs.folder / "changed.h5", changed);

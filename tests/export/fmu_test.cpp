@@ -1,9 +1,11 @@
 // The FMU in the hands of an importer: the runtime's own forces to the last bit, steps taken back, instances beside
 // each other, and what has to be refused without harm.
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <thread>
 
+#include "base/text.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/bit/constant_speed.hpp"
 #include "runtime/export/fmu/fmu_file.hpp"
@@ -248,6 +250,40 @@ TEST_F(Fmu, RefusesStatesThatAreDamagedOrForeign) {
   EXPECT_NE(instance.log.find("not of this FMU"), std::string::npos);
   EXPECT_EQ(library.fmi2SetFMUstate(instance.component, nullptr), importer::error);
   EXPECT_EQ(instance.state(), now);
+  EXPECT_EQ(instance.set_state(good), importer::ok) << instance.log;
+}
+
+TEST_F(Fmu, AStateIsLookedAtAlsoWhenItsChecksumFits) {
+  Instance instance(library, guid, resources);
+  ASSERT_EQ(instance.start(10.0, 3e-3, 5e4), importer::ok);
+  run(instance, 0, 100, 1e-2);
+  const std::vector<char> good = instance.state();
+  constexpr std::size_t checksum_at = 16, sealed_from = 24, signal_at = 32, moment_at = 120, head = 256;  // [bytes]
+  const auto sealed = [&](std::vector<char> state) {
+    const std::uint64_t sum = base::fingerprint({state.data() + sealed_from, head - sealed_from});
+    std::memcpy(state.data() + checksum_at, &sum, sizeof(sum));
+    return state;
+  };
+  ASSERT_EQ(sealed(good), good) << "this test seals as the program does";
+  const auto refused = [&](std::size_t at, auto value) {
+    std::vector<char> bad = good;
+    static_assert(sizeof(value) == 8);
+    std::memcpy(bad.data() + at, &value, sizeof(value));
+    EXPECT_EQ(instance.set_state(sealed(bad)), importer::error) << at << ": " << value;
+    EXPECT_EQ(instance.state(), good) << at << ": " << value;
+  };
+  for (const std::int64_t wrong : {std::int64_t{-1}, std::int64_t{4}, std::int64_t{1} << 40}) {
+    refused(moment_at, wrong);      // phase
+    refused(moment_at + 8, wrong);  // stale
+  }
+  for (const double wrong : {not_a_number, infinite}) {
+    for (std::size_t at = signal_at; at < signal_at + 24; at += 8) refused(at, wrong);  // the signal of the core
+    for (std::size_t word = 2; word < 17; ++word) {
+      const bool stop_time = word == 3, begun = word == 11;
+      if (!(stop_time && wrong == infinite) && !begun) refused(moment_at + 8 * word, wrong);
+    }
+  }
+  refused(moment_at + 8 * 11, std::int64_t{2});  // begun
   EXPECT_EQ(instance.set_state(good), importer::ok) << instance.log;
 }
 

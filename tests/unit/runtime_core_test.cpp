@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <thread>
 
+#include "base/random.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/core/core.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
@@ -272,6 +274,102 @@ TEST(Core, BytesThatAreNotItsStateAreRefusedAndChangeNothing) {
   EXPECT_EQ(state_of(core.core), good);
   std::byte small[8];
   EXPECT_EQ(bitrock_core_save(core.core, small, sizeof(small)), BITROCK_BAD_MEMORY);
+}
+
+/// The bytes of a state, taken apart, changed and sealed again, as a stranger who knows the program can.
+struct OpenState {
+  std::vector<std::byte> bytes;
+  runtime::ClampTally clamps;
+  runtime::MovingAverage rotation, rate_of_penetration;
+  std::vector<runtime::CutterMemory> cutters;
+
+  static constexpr std::size_t sealed_from = 4 * sizeof(std::uint64_t);
+
+  explicit OpenState(std::vector<std::byte> state) : bytes(std::move(state)) {
+    const std::size_t fixed = sealed_from + sizeof(clamps) + sizeof(rotation) + sizeof(rate_of_penetration);
+    cutters.resize((bytes.size() - fixed) / sizeof(runtime::CutterMemory));
+    walk([](auto& part, std::byte* at) { std::memcpy(static_cast<void*>(&part), at, sizeof(part)); });
+  }
+
+  template <class Copy>
+  void walk(const Copy& copy) {
+    std::byte* at = bytes.data() + sealed_from;
+    const auto next = [&](auto& part) {
+      copy(part, at);
+      at += sizeof(part);
+    };
+    next(clamps);
+    next(rotation);
+    next(rate_of_penetration);
+    for (runtime::CutterMemory& cutter : cutters) next(cutter);
+    ASSERT_EQ(at, bytes.data() + bytes.size());
+  }
+
+  std::vector<std::byte> sealed() {
+    walk([](auto& part, std::byte* at) { std::memcpy(at, &part, sizeof(part)); });
+    std::array<std::uint64_t, 4> sums{1, 2, 3, bytes.size()};
+    for (std::size_t at = sealed_from, lane = 0; at < bytes.size(); at += 8, lane = (lane + 1) % 4) {
+      std::uint64_t word;
+      std::memcpy(&word, bytes.data() + at, 8);
+      sums[lane] = (sums[lane] ^ word) * 0x9e3779b97f4a7c15ULL;
+      sums[lane] ^= sums[lane] >> 32;
+    }
+    std::uint64_t whole = 0;
+    for (const std::uint64_t sum : sums) whole = base::mix(whole ^ sum);
+    std::memcpy(bytes.data() + 3 * sizeof(std::uint64_t), &whole, 8);
+    return bytes;
+  }
+};
+
+TEST(Core, AStateIsLookedAtAlsoWhenItsChecksumFits) {
+  const Made core = made();
+  for (int i = 0; i < 20; ++i) {
+    load_at(core.core, 0.3 * i);
+    ASSERT_EQ(bitrock_core_accept(core.core, 0.01 * i, 6.0, 2e-3), BITROCK_OK);
+  }
+  const std::vector<std::byte> good = state_of(core.core);
+  ASSERT_EQ(OpenState(good).sealed(), good) << "this test seals as the program does";
+  const auto refused = [&](const char* what, const std::function<void(OpenState&)>& change) {
+    OpenState state(good);
+    change(state);
+    const std::vector<std::byte> bytes = state.sealed();
+    EXPECT_EQ(bitrock_core_restore(core.core, bytes.data(), bytes.size()), BITROCK_BAD_STATE) << what;
+    EXPECT_EQ(state_of(core.core), good) << what;
+  };
+  constexpr int most = std::numeric_limits<int>::max();
+  for (const int wrong : {-1, 257, most, -most}) {
+    refused("count", [=](OpenState& s) { s.rotation.count = s.rate_of_penetration.count = wrong; });
+    refused("first", [=](OpenState& s) { s.rotation.first = s.rate_of_penetration.first = wrong; });
+  }
+  refused("first of a ring that is not full", [](OpenState& s) { s.rotation.first = s.rate_of_penetration.first = 3; });
+  refused("averages of other lengths", [](OpenState& s) { s.rotation.count -= 1; });
+  refused("averages of other times", [](OpenState& s) { s.rotation.time[3] += 1e-4; });
+  refused("times that fall", [](OpenState& s) { s.rotation.time[3] = s.rate_of_penetration.time[3] = -1.0; });
+  refused("another window", [](OpenState& s) { s.rotation.window = 1e-300; });
+  for (const double wrong : {not_a_number, infinite, -infinite}) {
+    refused("time", [=](OpenState& s) { s.rotation.time[2] = s.rate_of_penetration.time[2] = wrong; });
+    refused("value", [=](OpenState& s) { s.rotation.value[0] = wrong; });
+    refused("integral", [=](OpenState& s) { s.rate_of_penetration.integral[1] = wrong; });
+    refused("amax", [=](OpenState& s) { s.cutters[1].statistics[0].x.amax = wrong; });
+    refused("np1", [=](OpenState& s) { s.cutters[2].statistics[3].y.np1 = wrong; });
+  }
+  refused("a height below 0", [](OpenState& s) { s.cutters[0].statistics[1].x.amax = -1.0; });
+  refused("a mean above the largest", [](OpenState& s) { s.cutters[0].statistics[1].y.amean = 1e9; });
+  refused("a count below 0", [](OpenState& s) { s.clamps.asked = -5; });
+  refused("a tally below 0", [](OpenState& s) { s.cutters[1].tally.drawn = -5; });
+  refused("a window out of place", [](OpenState& s) {
+    for (runtime::CutterMemory& cutter : s.cutters) ++cutter.kept[2];
+  });
+  refused("a window that no angle reaches", [](OpenState& s) {
+    for (runtime::CutterMemory& cutter : s.cutters) cutter.entered = std::numeric_limits<std::int64_t>::max();
+  });
+  refused("a window entered without being drawn", [](OpenState& s) {
+    for (runtime::CutterMemory& cutter : s.cutters) cutter.entered += 7;
+  });
+  refused("windows without a beginning", [](OpenState& s) {
+    for (runtime::CutterMemory& cutter : s.cutters) cutter.entered = runtime::no_window;
+  });
+  refused("cutters in different windows", [](OpenState& s) { s.cutters[1] = runtime::CutterMemory{}; });
 }
 
 TEST(Core, TwoCoresDoNotKnowOfEachOther) {

@@ -134,6 +134,23 @@ std::size_t core_state_bytes(const Slave& slave) {
   return bytes;
 }
 
+bool is_flag(std::int64_t value) {
+  return value == 0 || value == 1;
+}
+
+/// What the functions of this file and of `fmu.cpp` can leave behind.
+bool is_sound(const Moment& m) {
+  const bool known_phase = m.phase == Phase::instantiated || m.phase == Phase::initialising ||
+                           m.phase == Phase::stepping || m.phase == Phase::terminated;
+  if (!known_phase || !is_flag(m.stale) || !is_flag(m.begun)) return false;
+  for (const double number :
+       {m.time, m.inputs.rotation, m.inputs.rate_of_penetration, m.inputs.weight, m.speed, m.speed_since, m.angle_since,
+        m.angle, m.first_rotation, m.first_rate_of_penetration, m.torque, m.axial_force, m.depth_of_cut}) {
+    if (!std::isfinite(number)) return false;
+  }
+  return !std::isnan(m.stop_time) && m.speed >= 0.0 && m.depth_of_cut >= 0.0;
+}
+
 /// Restores the core from `state`; it may have been made with another signal.
 bool restore_core(Slave& slave, const bitrock_signal& signal, const char* state, std::size_t size) {
   if (same(slave.core_signal, signal)) return bitrock_core_restore(slave.core, state, size) == BITROCK_OK;
@@ -223,7 +240,7 @@ const char* restore(Slave& slave, const char* state, std::size_t size) {
   if (head.magic != StateHead{}.magic || head.bytes != size || head.block_checksum != slave.block.checksum)
     return "the state is not of this FMU";
   if (head.checksum != checksum(head)) return "the state is damaged: its checksum is wrong";
-  if (check(slave, head.settings) != BITROCK_OK ||
+  if (!is_sound(head.moment) || check(slave, head.settings) != BITROCK_OK ||
       !restore_core(slave, head.core_signal, state + sizeof(head), size - sizeof(head)))
     return "the state does not fit the core";
   slave.settings = head.settings;
