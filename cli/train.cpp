@@ -137,6 +137,7 @@ void add_train(CLI::App& app) {
   train.starts = usual_starts;
   train.smoothing = usual_smoothing;
   train.learning_rate = usual_learning_rate;
+  options->common.threads = cores();  // trainings run side by side
   CLI::App* command = app.add_subcommand("train", "fit the networks to features.csv");
   command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
   command->add_option("-o,--output", options->output, "model file to write")->default_val("model.json");
@@ -173,9 +174,9 @@ void add_train(CLI::App& app) {
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
   command
-      ->add_option("--patience", options->patience,
-                   fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})",
-                               usual_patience))
+      ->add_option(
+          "--patience", options->patience,
+          fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})", usual_patience))
       ->check(CLI::Range(0, 10000000));
   command->add_option("--starts", train.starts, "random starts, of which the best is kept")
       ->check(CLI::Range(1, 1000))

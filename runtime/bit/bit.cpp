@@ -9,14 +9,7 @@ namespace {
 
 using base::deg, base::mm;
 
-/// The words of the file and the seed on their way to enumerations and an unsigned seed.
-struct Words {
-  std::string combine = "sum";
-  std::string amplitude_fit = "band_preserving";
-  int seed = 1;
-};
-
-base::Section describe(Bit& bit, Words& words) {
+base::Section describe_bit(Bit& bit, BitWords& words) {
   const base::Range window = base::between(1.0, 360.0);
   const base::Range factor{.low = 0.0, .high = 2.0, .low_open = true};
   return {"bit",
@@ -40,7 +33,7 @@ base::Section describe(Cutter& cutter, double bit_diameter) {
            {"back_rake_deg", &cutter.back_rake, deg, base::between(0.0, 60.0), "back rake", true}}};
 }
 
-void take_words(const base::ConfigFile& file, const Words& words, SignalSettings& signal) {
+void take_words(const base::ConfigFile& file, const BitWords& words, SignalSettings& signal) {
   if (words.combine != "sum" && words.combine != "max") file.refuse("bit", "combine", "must be 'sum' or 'max'");
   if (words.amplitude_fit != "band_preserving" && words.amplitude_fit != "article") {
     file.refuse("bit", "amplitude_fit", "must be 'band_preserving' or 'article'");
@@ -52,11 +45,11 @@ void take_words(const base::ConfigFile& file, const Words& words, SignalSettings
 
 }  // namespace
 
-Bit read_bit(base::ConfigFile& file) {
+Bit bit_inside(base::ConfigFile& file) {
   Bit bit;
   bit.signal.window_angle = default_window_angle_deg * deg;
-  Words words;
-  file.fill(describe(bit, words));
+  BitWords words;
+  file.fill(describe_bit(bit, words));
   take_words(file, words, bit.signal);
 
   const int count = file.count("cutter");
@@ -65,14 +58,34 @@ Bit read_bit(base::ConfigFile& file) {
     file.fill_entry(describe(cutter, bit.diameter), i);
     bit.cutters.push_back(cutter);
   }
+  return bit;
+}
+
+Bit read_bit(base::ConfigFile& file) {
+  Bit bit = bit_inside(file);
   file.refuse_unknown();
-  if (count == 0) throw base::InputError(file.name() + ": no [[cutter]] (a bit needs at least one)");
+  if (bit.cutters.empty()) throw base::InputError(file.name() + ": no [[cutter]] (a bit needs at least one)");
   return bit;
 }
 
 Bit read_bit(const std::filesystem::path& path) {
   base::ConfigFile file = base::ConfigFile::read(path);
   return read_bit(file);
+}
+
+BitWords words_of(const Bit& bit) {
+  return {.combine = bit.signal.combine == Combine::max ? "max" : "sum",
+          .amplitude_fit = bit.signal.amplitude_fit == AmplitudeFit::article ? "article" : "band_preserving",
+          .seed = static_cast<int>(bit.signal.seed)};
+}
+
+std::vector<base::Section> describe(Bit& bit, BitWords& words) {
+  std::vector<base::Section> sections{describe_bit(bit, words)};
+  for (Cutter& cutter : bit.cutters) {
+    sections.push_back(describe(cutter, bit.diameter));
+    sections.back().name = "[cutter]";  // an array of tables
+  }
+  return sections;
 }
 
 }  // namespace runtime

@@ -36,4 +36,18 @@ inline constexpr double default_window_angle_deg = 60.0;
 Bit read_bit(base::ConfigFile& file);
 Bit read_bit(const std::filesystem::path& path);
 
+/// The bit of a file in which other things stand too: its keys of `[bit]`, and `[[cutter]]`.
+Bit bit_inside(base::ConfigFile& file);
+
+/// What the file says in other terms than the bit holds.
+struct BitWords {
+  std::string combine = "sum";
+  std::string amplitude_fit = "band_preserving";
+  int seed = 1;
+};
+BitWords words_of(const Bit& bit);
+
+/// `[bit]`, then a `[[cutter]]` each, bound to `bit` and `words` (base/config.hpp).
+std::vector<base::Section> describe(Bit& bit, BitWords& words);
+
 }  // namespace runtime
