@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -99,11 +100,45 @@ void assign(const toml::node& node, const Field& field, const Refuse& refuse) {
   }
 }
 
-std::string value_text(const Field& field) {
-  const auto real = [&field](double value) { return fmt::format("{:.15g}", value / field.si_per_unit); };
-  const auto joined = [](const auto& values, const auto& convert) {
+/// The shortest text that is read back as this SI value; empty when there is none.
+std::string exact_text(double value, double si_per_unit) {
+  const double in_file = value / si_per_unit;
+  for (const int digits : {15, 16, 17}) {
+    const std::string text = fmt::format("{:.{}g}", in_file, digits);
+    if (std::strtod(text.c_str(), nullptr) * si_per_unit == value) return text;
+  }
+  for (const double towards : {-HUGE_VAL, HUGE_VAL}) {  // division and multiplication round once each
+    const double beside = std::nextafter(in_file, towards);
+    if (beside * si_per_unit == value) return fmt::format("{:.17g}", beside);
+  }
+  return "";
+}
+
+using RealText = std::string(double value, double si_per_unit);
+
+std::string short_real(double value, double si_per_unit) {
+  return fmt::format("{:.15g}", value / si_per_unit);
+}
+
+/// The exact text, or the nearest short one where [exact] says the rest.
+std::string exact_real(double value, double si_per_unit) {
+  const std::string exact = exact_text(value, si_per_unit);
+  return exact.empty() ? short_real(value, si_per_unit) : exact;
+}
+
+/// How many values of a list stand in a line; those beyond begin a new one, as a line may not be of any length.
+constexpr std::size_t all_in_a_line = std::numeric_limits<std::size_t>::max(), some_in_a_line = 20;
+
+std::string value_text(const Field& field, RealText* real_text, std::size_t in_a_line) {
+  const auto real = [&](double value) { return real_text(value, field.si_per_unit); };
+  const auto joined = [in_a_line](const auto& values, const auto& convert) {
     std::string text;
-    for (const auto& value : values) text += (text.empty() ? "" : ", ") + convert(value);
+    std::size_t count = 0;
+    for (const auto& value : values) {
+      if (count > 0) text += count % in_a_line == 0 ? ",\n  " : ", ";
+      text += convert(value);
+      ++count;
+    }
     return "[" + text + "]";
   };
   if (auto* number = std::get_if<double*>(&field.target)) return real(**number);
@@ -207,6 +242,27 @@ void fill_table(State& state, const toml::table& table, const Section& section, 
 
 }  // namespace
 
+namespace {
+
+/// Takes the SI value that [exact] says of a field, when it is that of the key to all digits a person would write.
+template <class Refuse>
+void take_exact(const toml::table& exact, const Section& section, const Refuse& refuse) {
+  constexpr double last_digit = 1e-14;  // of 15; the unit costs another bit
+  for (const Field& field : section.fields) {
+    auto* const* real = std::get_if<double*>(&field.target);
+    const toml::node* node = real == nullptr ? nullptr : exact.get(qualified(section.name, field.name));
+    if (node == nullptr) continue;
+    const double value = node->is_floating_point() ? *node->value<double>() : std::numeric_limits<double>::quiet_NaN();
+    if (!(std::abs(value - **real) <= last_digit * std::abs(**real))) {
+      refuse(*node, "[exact] " + qualified(section.name, field.name) + " = " + source_text(*node),
+             fmt::format("must be the value of that key in SI, {}; remove the line to use the key alone", **real));
+    }
+    **real = value;
+  }
+}
+
+}  // namespace
+
 void ConfigFile::fill(const Section& section) {
   State& state = *state_;
   state.known_tables.insert(section.name);
@@ -224,12 +280,23 @@ void ConfigFile::fill(const Section& section) {
     if (node != nullptr) line = static_cast<int>(node->source().begin.line);
   }
   fill_table(state, *table, section, line, refuse);
+  if (const toml::table* exact = state.root[exact_section].as_table()) {
+    state.known_tables.insert(exact_section);
+    for (const Field& field : section.fields)
+      state.known_keys.insert(qualified(exact_section, qualified(section.name, field.name)));
+    take_exact(*exact, section, refuse);
+  }
 }
 
 bool ConfigFile::has(const std::string& section, const std::string& key) const {
   if (section.empty()) return state_->root.contains(key);
   if (key.empty()) return state_->root.contains(section);
   return static_cast<bool>(state_->root[section][key]);
+}
+
+bool ConfigFile::has_table(const std::string& name) const {
+  const toml::node* node = state_->root.get(name);
+  return node != nullptr && node->is_table();
 }
 
 int ConfigFile::count(const std::string& name) const {
@@ -305,13 +372,35 @@ const std::string& ConfigFile::name() const {
   return state_->name;
 }
 
-std::string to_toml(const std::vector<Section>& sections) {
+namespace {
+
+std::string toml_text(const std::vector<Section>& sections, RealText* real_text, std::size_t in_a_line) {
   std::string text;
   for (const Section& section : sections) {
     if (!section.name.empty()) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", section.name);
-    for (const Field& field : section.fields) text += fmt::format("{} = {}\n", field.name, value_text(field));
+    for (const Field& field : section.fields)
+      text += fmt::format("{} = {}\n", field.name, value_text(field, real_text, in_a_line));
   }
   return text;
+}
+
+}  // namespace
+
+std::string to_toml(const std::vector<Section>& sections) {
+  return toml_text(sections, short_real, all_in_a_line);
+}
+
+std::string to_exact_toml(const std::vector<Section>& sections) {
+  std::string rest;
+  for (const Section& section : sections) {
+    for (const Field& field : section.fields) {
+      auto* const* real = std::get_if<double*>(&field.target);
+      if (real == nullptr || !exact_text(**real, field.si_per_unit).empty()) continue;
+      rest += fmt::format("\"{}\" = {:.17e}\n", qualified(section.name, field.name), **real);
+    }
+  }
+  const std::string text = toml_text(sections, exact_real, some_in_a_line);
+  return rest.empty() ? text : fmt::format("{}\n[{}]\n{}", text, exact_section, rest);
 }
 
 }  // namespace base

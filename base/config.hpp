@@ -59,6 +59,11 @@ struct Section {
   std::vector<Field> fields;
 };
 
+/// A value in the unit of its key need not lead back to the very bits of the SI value it was written from. Where no
+/// number does, the table `[exact]` of a text that a program wrote (`to_exact_toml`) says it in SI: "bed.length_mm" =
+/// 0.06...
+inline constexpr const char* exact_section = "exact";
+
 /// A parsed TOML file that remembers its source lines and which of its keys have been read.
 class ConfigFile {
  public:
@@ -73,6 +78,8 @@ class ConfigFile {
   void fill(const Section& section);
   /// Whether the file has this section, or this key of it.
   bool has(const std::string& section, const std::string& key = "") const;
+  /// Whether the name is a table here, not a single value: `[rock]`, not `rock = "file"`.
+  bool has_table(const std::string& name) const;
   /// Number of entries of an array of tables `[[name]]` (0 when absent).
   int count(const std::string& name) const;
   /// Fills the fields of entry `index` (0-based) of an array of tables.
@@ -93,7 +100,11 @@ class ConfigFile {
   std::unique_ptr<State> state_;
 };
 
-/// The sections as TOML text with every value in file units: the resolved input kept beside results.
+/// The sections as TOML text with every value in file units, to 15 digits: what a person reads, and what is compared.
 std::string to_toml(const std::vector<Section>& sections);
+
+/// The same with as many digits as give the same bits when the text is read: the resolved input kept beside results,
+/// from which they can be made again.
+std::string to_exact_toml(const std::vector<Section>& sections);
 
 }  // namespace base

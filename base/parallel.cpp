@@ -1,5 +1,7 @@
 #include "base/parallel.hpp"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -11,6 +13,13 @@
 #include "base/stop.hpp"
 
 namespace base {
+
+int available_cores() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  if (::sched_getaffinity(0, sizeof(cores), &cores) == 0) return std::max(1, CPU_COUNT(&cores));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));  // a machine of more than 1024 cores
+}
 
 void for_each_index(int count, int jobs, const std::function<void(int)>& function) {
   std::atomic<int> next{0};

@@ -10,6 +10,9 @@
 
 namespace base {
 
+/// Cores that this program may use: those of the machine, or fewer where the user or a cluster has bound it to some.
+int available_cores();
+
 /// Calls `function(0)` to `function(count - 1)`, at most `jobs` at a time, fewer when the system gives fewer threads.
 /// After the first exception no further index is begun; those under way end first, then the exception of the lowest
 /// index that threw is thrown again.

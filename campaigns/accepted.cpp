@@ -67,7 +67,15 @@ void accept(Accepted& accepted, const Study& study, const std::filesystem::path&
 Accepted accepted_rows(const Study& study, const std::filesystem::path& folder) {
   Accepted accepted;
   const std::filesystem::path file = folder / "accepted.csv";
-  if (base::is_there(file)) accept(accepted, study, file);
+  if (!base::is_there(file)) return accepted;
+  try {
+    accept(accepted, study, file);
+  } catch (const base::InputError& error) {
+    throw base::InputError(
+        fmt::format("{} (mend or remove that line: the other rows are kept; or remove the file, and accept its tables "
+                    "again with --accept; finished runs stay whatever becomes of it)",
+                    error.what()));
+  }
   return accepted;
 }
 

@@ -16,7 +16,21 @@ namespace {
 using Path = std::filesystem::path;
 
 void refuse_other_study(const Study& study, const Path& folder) {
-  if (base::read_whole(folder / "study.toml") == resolved_toml(study)) return;
+  const Path file = folder / "study.toml";
+  const std::string text = base::read_whole(file);
+  if (text == exact_toml(study) || text == resolved_toml(study)) return;
+  const auto kept = [&] {
+    try {
+      return resolved_toml(read_study(file));  // written in another way
+    } catch (const base::InputError& error) {
+      throw base::InputError(fmt::format(
+          "{} (the folder holds runs of another study, or its study.toml is damaged: choose another --dir; "
+          "or, when its runs are of the study asked for, remove that file, and `bitrock campaign run` writes "
+          "it again and keeps them)",
+          error.what()));
+    }
+  };
+  if (kept() == resolved_toml(study)) return;
   throw base::InputError(
       fmt::format("{} holds runs of another study (its study.toml differs from the one asked for); "
                   "choose another --dir, or remove that folder",
@@ -52,7 +66,7 @@ void open_folder(const Study& study, const Path& folder) {
   const bool is_new = !base::is_there(folder / "study.toml");
   if (!is_new) refuse_other_study(study, folder);
   for (const char* part : {"runs", "running", "specimens", "failed"}) base::require_writable_folder(folder / part);
-  if (is_new) base::write_whole(folder / "study.toml", resolved_toml(study));
+  if (is_new) base::write_whole(folder / "study.toml", exact_toml(study));
 }
 
 std::string job_name(const Job& job) {

@@ -68,12 +68,14 @@ Plan plan(const Study& study, const std::filesystem::path& folder, double ns_per
     const dem2d::CutSchedule schedule = dem2d::plan_steps(job.cut, critical_step);
     const double steps = static_cast<double>(schedule.steps());
     PlanPart& part = part_of(plan.parts, job);
+    const double core_time = steps * part.discs * ns_per_disc_step * 1e-9;
     ++part.jobs;
     part.steps += steps;
-    part.core_time += steps * part.discs * ns_per_disc_step * 1e-9;
+    part.core_time += core_time;
     plan.steps += steps;
     plan.disc_steps += steps * part.discs;
-    plan.core_time += steps * part.discs * ns_per_disc_step * 1e-9;
+    plan.core_time += core_time;
+    plan.longest_cut = std::max(plan.longest_cut, core_time);
     plan.most_discs = std::max(plan.most_discs, part.discs);
     const auto [rock, is_new] = rocks_looked_at.insert(rock_path(folder, job));
     if (is_new && (folder.empty() || !has_rock(folder, job))) ++plan.rocks_to_make;

@@ -41,6 +41,7 @@ struct Plan {
   double steps = 0.0;
   double disc_steps = 0.0;
   double core_time = 0.0;       ///< [s]
+  double longest_cut = 0.0;     ///< core time of the one that takes longest [s]
   std::vector<PlanPart> parts;  ///< by depth
 };
 

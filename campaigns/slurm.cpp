@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "base/child_process.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/progress.hpp"
 
 namespace campaigns {
 
@@ -15,7 +17,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr const char* signal_seconds = "60";  // before its time is over a task is told to end
+constexpr double signal_seconds = 60.0;  // before its time is over a task is told to end
 
 /// For the shell.
 std::string quoted(const std::string& text) {
@@ -48,18 +50,54 @@ std::string header(const std::string& what, const std::string& name, const Path&
   return text;
 }
 
-std::string command(const Path& program, const std::string& action, const Path& study_file, const Path& folder) {
-  return fmt::format("exec {} campaign {} {} --dir {}", quoted(program.string()), action, quoted(study_file.string()),
-                     quoted(folder.string()));
+/// With the study that the folder keeps: whatever becomes of the file it was read from, the tasks do the same work.
+std::string command(const Path& program, const std::string& action, const Path& folder) {
+  return fmt::format("exec {} campaign {} --dir {}", quoted(program.string()), action, quoted(folder.string()));
 }
 
 }  // namespace
 
-SlurmScripts write_slurm_scripts(const Study& study, const Path& study_file, const Path& folder, const Path& program,
+double seconds_of(const std::string& time_limit) {
+  double days = 0.0, seconds = 0.0;
+  std::string clock = time_limit;
+  if (const std::size_t dash = clock.find('-'); dash != std::string::npos) {
+    days = std::stod(clock.substr(0, dash));
+    clock.erase(0, dash + 1);
+  }
+  for (std::size_t at = 0; at < clock.size();) {
+    const std::size_t end = std::min(clock.find(':', at), clock.size());
+    seconds = 60.0 * seconds + std::stod(clock.substr(at, end - at));
+    at = end + 1;
+  }
+  seconds += 86400.0 * days;
+  return seconds > 0.0 ? seconds : std::numeric_limits<double>::infinity();
+}
+
+std::vector<std::string> warnings(const Plan& plan, const SlurmOptions& options, int tasks) {
+  const double limit = seconds_of(options.time_limit) - signal_seconds;
+  const int cuts = plan.jobs - plan.done;
+  if (cuts == 0 || tasks == 0) return {};
+  const std::string guess = fmt::format("at {:g} ns per disc and step", dem2d::typical_ns_per_disc_step);
+  if (plan.longest_cut > limit) {
+    return {fmt::format(
+        "--time {} is too short for the longest cut, about {} {}: it is stopped {:.0f} s before the limit, however "
+        "often it begins; give --time well above that",
+        options.time_limit, base::readable_duration(plan.longest_cut), guess, signal_seconds)};
+  }
+  const double a_task = plan.core_time / std::min(cuts, tasks);
+  if (a_task > limit) {
+    return {fmt::format(
+        "--time {} is too short for the cuts of one task, about {} in the mean {}: what is left then needs another "
+        "submit; take more --tasks, or a longer --time",
+        options.time_limit, base::readable_duration(a_task), guess)};
+  }
+  return {};
+}
+
+SlurmScripts write_slurm_scripts(const Study& study, const Path& folder, const Path& program,
                                  const SlurmOptions& options) {
   const auto count = static_cast<int>(jobs(study).size());
-  const Path where = std::filesystem::absolute(folder).lexically_normal(),
-             what = std::filesystem::absolute(study_file).lexically_normal();
+  const Path where = std::filesystem::absolute(folder).lexically_normal();
   SlurmScripts scripts{.array = where / "slurm" / "array.sh",
                        .collect = where / "slurm" / "collect.sh",
                        .tasks = std::min({options.tasks > 0 ? options.tasks : count, count, most_tasks})};
@@ -70,12 +108,12 @@ SlurmScripts write_slurm_scripts(const Study& study, const Path& study_file, con
                                          count, scripts.tasks),
                              "bitrock", where, options);
   array += fmt::format("#SBATCH --array=1-{}\n#SBATCH --output=slurm/task_%a.log\n", scripts.tasks);
-  array += fmt::format("#SBATCH --signal=B:TERM@{}\n", signal_seconds);
+  array += fmt::format("#SBATCH --signal=B:TERM@{:.0f}\n", signal_seconds);
   if (!options.time_limit.empty()) array += fmt::format("#SBATCH --time={}\n", options.time_limit);
-  array += fmt::format("{} --jobs 1 --shard \"$SLURM_ARRAY_TASK_ID/{}\"\n", command(program, "run", what, where),
-                       scripts.tasks);
+  array +=
+      fmt::format("{} --jobs 1 --shard \"$SLURM_ARRAY_TASK_ID/{}\"\n", command(program, "run", where), scripts.tasks);
   std::string collect = header("Written by bitrock campaign submit", "bitrock-collect", where, options);
-  collect += "#SBATCH --output=slurm/collect.log\n" + command(program, "collect", what, where) + "\n";
+  collect += "#SBATCH --output=slurm/collect.log\n" + command(program, "collect", where) + "\n";
   base::write_whole(scripts.array, array);
   base::write_whole(scripts.collect, collect);
   return scripts;

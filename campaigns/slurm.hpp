@@ -8,7 +8,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "campaigns/plan.hpp"
 #include "campaigns/study.hpp"
 
 namespace campaigns {
@@ -23,15 +25,21 @@ struct SlurmOptions {
   std::string partition;   ///< empty: the default one
 };
 
+/// [s] of HH:MM:SS or D-HH:MM:SS; infinite for an empty text and for zero, which Slurm takes as no limit.
+double seconds_of(const std::string& time_limit);
+
+/// What a limit of time does to cuts that are to be made, in words; empty where all tasks end before it.
+std::vector<std::string> warnings(const Plan& plan, const SlurmOptions& options, int tasks);
+
 struct SlurmScripts {
   std::filesystem::path array, collect;
   int tasks = 0;
 };
 
-/// Writes DIR/slurm/array.sh and collect.sh. Throws `base::InputError` for a path that cannot stand in them.
-SlurmScripts write_slurm_scripts(const Study& study, const std::filesystem::path& study_file,
-                                 const std::filesystem::path& folder, const std::filesystem::path& program,
-                                 const SlurmOptions& options);
+/// Writes DIR/slurm/array.sh and collect.sh; the folder must hold its study (`open_folder`). Throws `base::InputError`
+/// for a path that cannot stand in them.
+SlurmScripts write_slurm_scripts(const Study& study, const std::filesystem::path& folder,
+                                 const std::filesystem::path& program, const SlurmOptions& options);
 
 /// Numbers that Slurm gave the two jobs.
 struct SlurmJobs {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "base/csv.hpp"
@@ -76,6 +77,11 @@ std::vector<base::Section> describe_common(Study& study) {
   return sections;
 }
 
+/// For a study that holds the tables of its rock.
+void leave_out_rock_file(std::vector<base::Section>& sections) {
+  std::erase_if(sections.front().fields, [](const base::Field& field) { return field.name == "rock"; });
+}
+
 template <class T>
 bool has_repeats(std::vector<T> values) {
   std::sort(values.begin(), values.end());
@@ -135,11 +141,25 @@ Table read_table(const std::filesystem::path& path) {
   return table;
 }
 
+/// The table of a resolved study stands in the file itself.
+void read_inner_table(base::ConfigFile& file, Table& table) {
+  file.fill(describe(table));
+  const std::size_t cases = table.cutter_speed.size();
+  if (cases == 0) file.refuse("table", "cutter_speed_m_per_s", "is empty (needs one entry a case)");
+  if (table.depth_of_cut.size() != cases) file.refuse("table", "depth_of_cut_mm", "needs one entry a case");
+  if (table.back_rake.size() != cases) file.refuse("table", "back_rake_deg", "needs one entry a case");
+  std::set<std::tuple<double, double, double>> different;
+  for (std::size_t i = 0; i < cases; ++i)
+    different.emplace(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i]);
+  if (different.size() < cases) file.refuse("table", "cutter_speed_m_per_s", "each case may appear once");
+}
+
 /// Either a grid or a table.
 void read_cases(base::ConfigFile& file, Study& study) {
   const bool has_table = file.has("table");
   if (has_table && file.has("grid")) file.refuse("", "table", "there is a [grid] too; give one of the two");
   if (!has_table) return read_grid(file, study.grid);
+  if (file.has_table("table")) return read_inner_table(file, study.table);
   file.fill({"", {{"table", &study.table_file, 1.0, base::any(), "cases as CSV, relative to this file"}}});
   study.table = read_table(file.resolve(study.table_file));
 }
@@ -200,13 +220,17 @@ std::vector<dem2d::CutCase> cases(const Study& study) {
 Study read_study(const std::filesystem::path& path) {
   Study study;
   base::ConfigFile file = base::ConfigFile::read(path);
-  for (const base::Section& section : describe_common(study)) file.fill(section);
+  const bool inside = dem2d::has_rock_inside(file);
+  if (inside) study.common.rock = dem2d::rock_inside(file);
+  std::vector<base::Section> sections = describe_common(study);
+  if (inside) leave_out_rock_file(sections);
+  for (const base::Section& section : sections) file.fill(section);
   read_cases(file, study);
   if (file.has("by_depth")) read_by_depth(file, study);
   file.refuse_unknown();
   if (has_repeats(study.seeds)) file.refuse("", "seeds", "each value may appear once");
   refuse_too_many(study, path.string());
-  study.common.rock = dem2d::read_rock(file.resolve(study.common.rock_file));
+  if (!inside) study.common.rock = dem2d::read_rock(file.resolve(study.common.rock_file));
   int number = 0;
   for (const dem2d::CutCase& cut : cases(study)) {
     dem2d::check_cut_case(cut, fmt::format("{}: case {}", path.string(), ++number));
@@ -214,22 +238,36 @@ Study read_study(const std::filesystem::path& path) {
   return study;
 }
 
-std::string resolved_toml(const Study& study) {
-  Study copy = study;
-  std::vector<base::Section> sections = describe_common(copy);
-  std::erase_if(sections.front().fields, [](const base::Field& field) { return field.name == "rock"; });
-  if (copy.table_file.empty()) sections.push_back(describe(copy.grid));
-  if (!copy.table_file.empty()) sections.push_back(describe(copy.table));
-  if (copy.by_depth) {
-    sections.push_back(describe(*copy.by_depth));
+namespace {
+
+/// All that a study asks for, with table and rock inside; bound to `study`.
+std::vector<base::Section> describe_resolved(Study& study) {
+  std::vector<base::Section> sections = describe_common(study);
+  leave_out_rock_file(sections);
+  const bool from_table = !study.table.cutter_speed.empty();
+  sections.push_back(from_table ? describe(study.table) : describe(study.grid));
+  if (study.by_depth) {
+    sections.push_back(describe(*study.by_depth));
     for (const Size& size : sizes) {
       const auto section =
           std::find_if(sections.begin(), sections.end(), [&size](const auto& s) { return s.name == size.section; });
       std::erase_if(section->fields, [&size](const base::Field& field) { return field.name == size.key; });
     }
   }
-  for (base::Section& section : dem2d::describe_material(copy.common.rock)) sections.push_back(std::move(section));
-  return base::to_toml(sections);
+  for (base::Section& section : dem2d::describe_material(study.common.rock)) sections.push_back(std::move(section));
+  return sections;
+}
+
+}  // namespace
+
+std::string resolved_toml(const Study& study) {
+  Study copy = study;
+  return base::to_toml(describe_resolved(copy));
+}
+
+std::string exact_toml(const Study& study) {
+  Study copy = study;
+  return base::to_exact_toml(describe_resolved(copy));
 }
 
 std::vector<Job> jobs(const Study& study) {

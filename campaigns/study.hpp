@@ -46,9 +46,9 @@ struct ByDepth {
 
 struct Study {
   dem2d::CutCase common;   ///< speed, depth and rake, and what `by_depth` sizes, are filled in case by case
-  std::string table_file;  ///< as written, relative to the study; empty: the cases are those of the grid
+  std::string table_file;  ///< as written, relative to the study; empty where the cases stand in the study itself
   Grid grid;
-  Table table;  ///< read from `table_file`
+  Table table;  ///< empty: the cases are those of the grid
   std::optional<ByDepth> by_depth;
   std::vector<int> seeds{1};
 };
@@ -66,6 +66,9 @@ Study read_study(const std::filesystem::path& path);
 
 /// The study as TOML text with table and rock inside: two studies with the same text ask for the same runs.
 std::string resolved_toml(const Study& study);
+
+/// The same, read back to the same bits: a study that needs no other file.
+std::string exact_toml(const Study& study);
 
 /// All cases times all seeds, in order of case number, then seed.
 std::vector<Job> jobs(const Study& study);

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/numbered_files.hpp"
 #include "base/stop.hpp"
 #include "cli/command.hpp"
 #include "dem2d/output/encoder.hpp"
@@ -47,12 +48,15 @@ void draw_frames(const Options& options, const base::Hdf5Reader& frames, const d
   }
 }
 
-/// A viewer takes all frames it finds: those of a longer animation must not follow ours.
+/// A viewer takes all frames it finds: those of a longer animation must not follow ours. Others call their frames so,
+/// too: nothing is removed.
 void prepare_folder(const fs::path& folder, int frames) {
   base::require_writable_folder(folder);
-  const fs::path next = folder / dem2d::frame_name(frames);
-  if (base::is_there(next))
-    throw base::InputError(fmt::format("{} is of a longer animation (give an empty folder)", next.string()));
+  const auto there = base::numbered_files(folder, {.begin = "frame_", .end = ".png", .digits = 4});
+  if (!there.empty() && there.back().number >= frames) {
+    throw base::InputError(fmt::format("{} is of a longer animation (give an empty folder, or remove its frames)",
+                                       there.back().path.string()));
+  }
 }
 
 void run(const Options& options) {

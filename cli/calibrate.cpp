@@ -250,6 +250,7 @@ void run(const Options& options) {
       options.journal_file.empty() ? options.output + ".journal.csv" : options.journal_file;
   require_outputs(options.common, {options.target_file, target.rock_file}, {options.output, journal_file});
   dem2d::Journal journal(journal_file, dem2d::journal_inputs(target));
+  if (!journal.left_out().empty()) warn(options.common, journal.left_out());
   if (options.common.check) return print_plan(options, target);
   dem2d::Laboratory laboratory(target, journal, options.common.threads);
   try {

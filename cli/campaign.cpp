@@ -140,7 +140,10 @@ void add_collect(CLI::App& campaign) {
       campaign, "collect", "write features.csv and features_mean.csv of the finished runs", flags->campaign);
   add_campaign_folder(*command, flags->campaign);
   add_accept(*command, *flags);
-  command->callback([flags] { collect(*flags); });
+  command->callback([flags] {
+    find_study(flags->campaign);
+    collect(*flags);
+  });
 }
 
 void add_run(CLI::App& campaign) {
@@ -155,10 +158,26 @@ void add_run(CLI::App& campaign) {
       ->capture_default_str();
   add_accept(*command, *flags);
   command->add_flag("--check", flags->campaign.common.check, "print the plan, and stop");
-  command->callback([flags] { run_campaign(*flags); });
+  command->callback([flags] {
+    find_study(flags->campaign);
+    run_campaign(*flags);
+  });
 }
 
 }  // namespace
+
+void find_study(CampaignOptions& options) {
+  if (!options.study_file.empty()) return;
+  if (options.folder.empty())
+    throw base::InputError("a study is needed (a file, or with --dir the folder of a campaign that has begun)");
+  const std::filesystem::path kept = std::filesystem::path(options.folder) / "study.toml";
+  if (!std::filesystem::exists(kept)) {
+    throw base::InputError(
+        fmt::format("{} has no study.toml yet, so a study must be named (bitrock campaign run STUDY.toml --dir {})",
+                    options.folder, options.folder));
+  }
+  options.study_file = kept.string();
+}
 
 campaigns::Study study_of(const CampaignOptions& options) {
   campaigns::Study study = campaigns::read_study(options.study_file);
@@ -169,7 +188,10 @@ campaigns::Study study_of(const CampaignOptions& options) {
 CLI::App* add_campaign_action(CLI::App& campaign, const std::string& name, const std::string& meaning,
                               CampaignOptions& options) {
   CLI::App* command = campaign.add_subcommand(name, meaning);
-  command->add_option("study", options.study_file, "study file, e.g. campaigns/demo.toml")->required();
+  command
+      ->add_option("study", options.study_file,
+                   "study file, e.g. campaigns/demo.toml; left out: the one that the folder of --dir holds")
+      ->check(not_empty());
   add_common(*command, options.common);
   return command;
 }
@@ -210,7 +232,10 @@ void add_campaign(CLI::App& app) {
   auto options = std::make_shared<CampaignOptions>();
   CLI::App* status = add_campaign_action(*campaign, "status", "what is done, running, failed, remaining", *options);
   add_campaign_folder(*status, *options);
-  status->callback([options] { show_status(*options); });
+  status->callback([options] {
+    find_study(*options);
+    show_status(*options);
+  });
   add_collect(*campaign);
   add_campaign_submit(*campaign);
 }

@@ -15,10 +15,13 @@ struct CampaignOptions {
   std::string study_file, folder;
 };
 
+/// Where no study is named, the one that the folder of the campaign holds.
+void find_study(CampaignOptions& options);
+
 /// The study, with its warnings printed.
 campaigns::Study study_of(const CampaignOptions& options);
 
-/// `study`, `--json`, `--quiet`.
+/// `study` (which may be left out: `find_study`), `--json`, `--quiet`.
 CLI::App* add_campaign_action(CLI::App& campaign, const std::string& name, const std::string& meaning,
                               CampaignOptions& options);
 /// `--dir`, which must be given.

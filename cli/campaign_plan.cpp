@@ -29,8 +29,11 @@ void print_plan(const CampaignOptions& options, const campaigns::Study& study, d
         base::in_units(part.bed_length, base::mm), base::in_units(part.bed_height, base::mm), part.discs, part.steps,
         part.core_time / seconds_per_hour);
   }
-  say(options.common, "{:.3g} steps, {:.3g} disc-steps: about {:.3g} core-hours at {:g} ns per disc and step\n",
-      plan.steps, plan.disc_steps, plan.core_time / seconds_per_hour, ns_per_disc_step);
+  say(options.common,
+      "{:.3g} steps, {:.3g} disc-steps: about {:.3g} core-hours at {:g} ns per disc and step; the longest "
+      "cut {}\n",
+      plan.steps, plan.disc_steps, plan.core_time / seconds_per_hour, ns_per_disc_step,
+      base::readable_duration(plan.longest_cut));
   write_json(options.common, {{"cases", plan.cases},
                               {"jobs", plan.jobs},
                               {"done", plan.done},
@@ -43,6 +46,7 @@ void print_plan(const CampaignOptions& options, const campaigns::Study& study, d
                               {"steps", plan.steps},
                               {"disc_steps", plan.disc_steps},
                               {"core_hours", plan.core_time / seconds_per_hour},
+                              {"longest_cut_s", plan.longest_cut},
                               {"ns_per_disc_step", ns_per_disc_step}});
 }
 
@@ -56,6 +60,7 @@ void add_campaign_plan(CLI::App& campaign) {
       ->check(within("--ns-per-disc-step", base::between(0.01, 1e6)))
       ->capture_default_str();
   command->callback([options] {
+    find_study(options->campaign);
     require_outputs(options->campaign.common, {options->campaign.study_file}, {});
     print_plan(options->campaign, study_of(options->campaign), options->ns_per_disc_step);
   });

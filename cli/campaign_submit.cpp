@@ -31,7 +31,12 @@ void submit(const Options& options) {
   campaigns::open_folder(study, campaign.folder);
   const campaigns::Status status = campaigns::status(study, campaign.folder);
   const campaigns::SlurmScripts scripts = campaigns::write_slurm_scripts(
-      study, campaign.study_file, campaign.folder, std::filesystem::read_symlink("/proc/self/exe"), options.slurm);
+      study, campaign.folder, std::filesystem::read_symlink("/proc/self/exe"), options.slurm);
+  if (!options.slurm.time_limit.empty()) {
+    const campaigns::Plan plan = campaigns::plan(study, campaign.folder);
+    for (const std::string& warning : campaigns::warnings(plan, options.slurm, scripts.tasks))
+      warn(campaign.common, warning);
+  }
   nlohmann::json json = as_json(status);
   json["tasks"] = scripts.tasks;
   json["scripts"] = {scripts.array.string(), scripts.collect.string()};
@@ -69,7 +74,10 @@ void add_campaign_submit(CLI::App& campaign) {
   command->add_option("--partition", options->slurm.partition, "where to run (default: the cluster's default)")
       ->check(matching("[A-Za-z0-9_.,-]+", "the name of a partition"));
   command->add_flag("--dry-run", options->dry_run, "write the scripts, submit nothing");
-  command->callback([options] { submit(*options); });
+  command->callback([options] {
+    find_study(options->campaign);
+    submit(*options);
+  });
 }
 
 }  // namespace cli

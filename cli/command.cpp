@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "base/files.hpp"
+#include "base/parallel.hpp"
 #include "base/unit_hint.hpp"
 
 namespace cli {
@@ -55,7 +56,7 @@ void warn(const CommonOptions& options, const std::string& what) {
 }
 
 int cores() {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return base::available_cores();
 }
 
 }  // namespace cli

@@ -62,7 +62,7 @@ CLI::Validator within(const std::string& flag, const base::Range& allowed);
 /// For file and folder names.
 CLI::Validator not_empty();
 
-/// Number of cores that may be used.
+/// Number of cores that may be used: the default wherever computations run side by side.
 int cores();
 
 void add_specimen(CLI::App& app);
@@ -80,6 +80,8 @@ void add_report(CLI::App& app);
 void add_snapshot(CLI::App& app);
 void add_animate(CLI::App& app);
 void add_export(CLI::App& app);
+/// `export config`.
+void add_export_config(CLI::App& export_command);
 /// `export c`, `export matlab` and `export onnx`.
 void add_export_model(CLI::App& export_command);
 void add_export_fmu(CLI::App& export_command);

@@ -2,10 +2,12 @@
 // mean and RMS, over several seeds.
 #include "cli/drill_compare.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/numbered_files.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "cli/bit_tallies.hpp"
@@ -138,6 +140,21 @@ nlohmann::json result_json(const ComparedRuns& runs) {
   return {{"sources", sources}};
 }
 
+/// Runs of other seeds that an earlier call has left in the folder are computations, and stay; the tables are without.
+void warn_of_other_runs(const Options& options, const Study& study) {
+  std::vector<std::string> others;
+  for (const char* source : source_names) {
+    for (const base::NumberedFile& file :
+         base::numbered_files(study.folder, {.begin = fmt::format("{}_", source), .end = ".h5"})) {
+      if (std::find(study.seeds.begin(), study.seeds.end(), file.number) == study.seeds.end())
+        others.push_back(file.path.filename().string());
+    }
+  }
+  if (others.empty()) return;
+  warn(options.common, fmt::format("{} also holds runs that are not of this call, and not in its tables: {}",
+                                   options.folder, fmt::join(others, ", ")));
+}
+
 void compare(const Options& options) {
   const Study study = read_study(options);
   const std::vector<std::filesystem::path> inputs{options.case_file, study.drill.bit_file,
@@ -169,6 +186,7 @@ void compare(const Options& options) {
       study.seeds.size(), table, options.folder);
   warn_of_mismatch(options, runs);
   tell_clamps_of_all(options, study, runs);
+  warn_of_other_runs(options, study);
   write_json(options.common, result_json(runs));
 }
 

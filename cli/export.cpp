@@ -1,8 +1,10 @@
 // bitrock export: results in the formats of other programs. `vtk`: the frames of a cut for ParaView. What takes a
-// trained model elsewhere is in export_model.cpp, a whole bit in export_fmu.cpp.
+// trained model elsewhere is in export_model.cpp, a whole bit in export_fmu.cpp, the input of
+// a result in export_config.cpp.
 #include <memory>
 
 #include "base/files.hpp"
+#include "base/numbered_files.hpp"
 #include "base/stop.hpp"
 #include "cli/command.hpp"
 #include "dem2d/output/frame_file.hpp"
@@ -26,8 +28,18 @@ struct Series {
   std::vector<std::size_t> cells;  ///< at each instant
 };
 
+constexpr int digits = 4;
+
+/// Takes an earlier export out of the folder: of a longer run, or of one with joints, frames would stay beside ours.
+/// The list goes first, so that there is none of missing frames.
+void remove_earlier(const Series& series, const fs::path& folder) {
+  std::error_code ignored;
+  fs::remove(folder / (series.name + ".pvd"), ignored);
+  base::remove_numbered_files(folder / "frames", {.begin = series.name + "_", .end = ".vtp", .digits = digits});
+}
+
 void add_instant(Series& series, const fs::path& folder, int number, double time, const dem2d::VtkPolyData& data) {
-  const std::string file = fmt::format("frames/{}_{:04d}.vtp", series.name, number);
+  const std::string file = fmt::format("frames/{}_{:0{}d}.vtp", series.name, number, digits);
   base::write_whole(folder / file, dem2d::vtp_text(data));
   series.instants.push_back({time, file});
   series.cells.push_back(data.offsets.size());
@@ -40,6 +52,7 @@ void export_vtk(const VtkOptions& options) {
   const fs::path folder = options.output;
   base::require_writable_folder(folder / "frames");
   Series discs{.name = "discs"}, joints{.name = "joints"}, cracks{.name = "cracks"}, cutter{.name = "cutter"};
+  for (const Series& series : {discs, joints, cracks, cutter}) remove_earlier(series, folder);
   {
     Progress progress(options.common, "writing", "frames");
     const auto tell = progress.callback();
@@ -79,6 +92,7 @@ void add_export(CLI::App& app) {
   vtk->add_option("-o,--output", options->output, "folder to write to")->default_val("vtk")->check(not_empty());
   add_common(*vtk, options->common);
   vtk->callback([options] { export_vtk(*options); });
+  add_export_config(*command);
   add_export_model(*command);
   add_export_fmu(*command);
 }

@@ -1,5 +1,7 @@
 #include "cli/figure_files.hpp"
 
+#include <algorithm>
+
 #include "base/files.hpp"
 #include "cli/draw.hpp"
 
@@ -33,6 +35,34 @@ std::vector<std::filesystem::path> figure_paths(const FigureOptions& options,
   return paths;
 }
 
+namespace {
+
+/// A picture in the other format, of earlier numbers, would lie beside the new script and table.
+void remove_other_pictures(const FigureOptions& options, const report::Figure& figure, bool drawn) {
+  for (const std::string ending : {"png", "pdf"}) {
+    std::error_code ignored;
+    if (ending != options.format || !drawn) std::filesystem::remove(in_folder(options, figure, ending), ignored);
+  }
+}
+
+/// Says which figures in the folder are not of this call. They stay: scripts are there to be changed.
+void warn_of_others(const CommonOptions& common, const FigureOptions& options,
+                    const std::vector<report::Figure>& figures) {
+  std::vector<std::string> others;
+  for (const auto& entry : std::filesystem::directory_iterator(options.folder)) {
+    const std::string name = entry.path().stem().string();
+    const bool ours =
+        std::any_of(figures.begin(), figures.end(), [&](const auto& figure) { return figure.name == name; });
+    if (entry.path().extension() == ".gp" && !ours) others.push_back(name);
+  }
+  if (others.empty()) return;
+  std::sort(others.begin(), others.end());
+  warn(common,
+       fmt::format("{} also holds figures that are not of this call: {}", options.folder, fmt::join(others, ", ")));
+}
+
+}  // namespace
+
 void write_figures(const CommonOptions& common, const FigureOptions& options,
                    const std::vector<report::Figure>& figures) {
   const bool drawn = can_draw();
@@ -45,10 +75,12 @@ void write_figures(const CommonOptions& common, const FigureOptions& options,
       const report::GnuplotFiles files = report::gnuplot_files(figures[k], format);
       base::write_whole(in_folder(options, figures[k], "csv"), files.table);
       base::write_whole(in_folder(options, figures[k], "gp"), files.script);
+      remove_other_pictures(options, figures[k], drawn);
       if (drawn) draw(in_folder(options, figures[k], "gp"), in_folder(options, figures[k], options.format));
       show(static_cast<double>(k + 1), static_cast<double>(figures.size()));
     }
   }
+  warn_of_others(common, options, figures);
   if (drawn) {
     say(common, "-> {}: {} figures, each .{} with its .gp and .csv\n", options.folder, figures.size(), options.format);
   } else {

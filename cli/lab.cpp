@@ -11,6 +11,7 @@
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/numbered_files.hpp"
 #include "base/parallel.hpp"
 #include "cli/lab_results.hpp"
 #include "dem2d/lab/lab_picture.hpp"
@@ -167,7 +168,8 @@ std::string curve_csv(const dem2d::LabRun& run) {
   return base::csv_text({"strain", "lateral_strain", "stress_Pa", "cracks_tensile", "cracks_shear"}, columns);
 }
 
-/// Where the files of the tests go: a curve and a picture for each seed, and the curves of all seeds together.
+/// Where the files of the tests go: a curve and a picture for each seed, the curves of all seeds together, and the rock
+/// that was tested.
 std::filesystem::path file_of(const Options& options, std::uint64_t seed, const char* ending) {
   return std::filesystem::path(options.folder) / fmt::format("{}_seed_{}.{}", options.test_name, seed, ending);
 }
@@ -175,9 +177,49 @@ std::filesystem::path file_of_all(const Options& options) {
   return std::filesystem::path(options.folder) / fmt::format("{}_curves.png", options.test_name);
 }
 
+std::filesystem::path rock_file_of(const Options& options) {
+  return std::filesystem::path(options.folder) / fmt::format("{}_rock.toml", options.test_name);
+}
+
+/// The rock with the size of its cores, read back to the same bits.
+std::string rock_text(const Plan& plan) {
+  dem2d::Rock rock = plan.rock;
+  rock.specimen_width = plan.settings.width;
+  rock.specimen_height = plan.settings.height;
+  return base::to_exact_toml(dem2d::describe(rock));
+}
+
+/// The command that makes these results again from the text of the rock.
+std::string command_again(const Options& options, const Plan& plan) {
+  std::string command = fmt::format("bitrock lab {} THIS_FILE", options.test_name);
+  if (plan.given.empty()) {
+    command += fmt::format(" --seeds {}", fmt::join(plan.seeds, ","));
+  } else {
+    command += " --specimen and the file of the specimen";
+  }
+  command +=
+      fmt::format(" --strain-rate-per-s {} --local-damping {}", plan.settings.strain_rate, plan.settings.local_damping);
+  if (options.test != dem2d::LabTest::tension)
+    command += fmt::format(" --platen-friction {}", plan.settings.platen_friction);
+  return command;
+}
+
+/// Curves of other seeds that an earlier call has left in the folder are computations, and stay.
+void warn_of_other_seeds(const Options& options, const Plan& plan) {
+  std::vector<std::string> others;
+  for (const base::NumberedFile& file :
+       base::numbered_files(options.folder, {.begin = fmt::format("{}_seed_", options.test_name), .end = ".csv"})) {
+    if (std::find(plan.seeds.begin(), plan.seeds.end(), static_cast<std::uint64_t>(file.number)) == plan.seeds.end())
+      others.push_back(file.path.filename().string());
+  }
+  if (others.empty()) return;
+  warn(options.common,
+       fmt::format("{} also holds curves that are not of this call: {}", options.folder, fmt::join(others, ", ")));
+}
+
 std::vector<std::filesystem::path> output_files(const Options& options, const Plan& plan) {
   if (options.folder.empty()) return {};
-  std::vector<std::filesystem::path> files{file_of_all(options)};
+  std::vector<std::filesystem::path> files{file_of_all(options), rock_file_of(options)};
   for (const std::uint64_t seed : plan.seeds) {
     for (const char* ending : {"csv", "png"}) files.push_back(file_of(options, seed, ending));
   }
@@ -241,7 +283,8 @@ nlohmann::json result_json(const Options& options, const Plan& plan, const LabRe
                       {"height_m", dem2d::specimen_box(options.test, plan.settings).height},
                       {"strain_rate_per_s", plan.settings.strain_rate},
                       {"local_damping", plan.settings.local_damping},
-                      {"platen_friction", plan.settings.platen_friction}};
+                      {"platen_friction", plan.settings.platen_friction},
+                      {"config_toml", rock_text(plan)}};
   json.update(runs_json(results));
   return json;
 }
@@ -292,6 +335,11 @@ void run(const Options& options) {
   }
   require_outputs(options.common, {options.rock_file, options.specimen_file}, output_files(options, plan));
   if (options.common.check) return print_plan(options, plan);
+  if (!options.folder.empty()) {
+    base::write_whole(rock_file_of(options),
+                      fmt::format("# Made again by: {}\n\n{}", command_again(options, plan), rock_text(plan)));
+    warn_of_other_seeds(options, plan);
+  }
   const LabResults results = run_all(options, plan);
   const nlohmann::json json = result_json(options, plan, results);
   print_table(options.common, results);
@@ -302,7 +350,7 @@ void run(const Options& options) {
   write_json(options.common, json);
   if (!options.folder.empty() && !results.runs.empty()) {
     base::write_whole(file_of_all(options), dem2d::draw_curves(results.runs, plan.rock.name));
-    say(options.common, "-> {} files in {}\n", 2 * results.runs.size() + 1, options.folder);
+    say(options.common, "-> {} files in {}\n", 2 * results.runs.size() + 2, options.folder);
   }
   tell_what_is_missing(results);
 }
@@ -342,7 +390,8 @@ void add_lab(CLI::App& app) {
   command->add_flag("--rate-check", options->rate_check, "also test at half the rate, and tell the change");
   command
       ->add_option("-o,--output", options->folder,
-                   "folder for TEST_seed_N.csv (curve) and .png (broken core) of each seed, and TEST_curves.png (all)")
+                   "folder for TEST_seed_N.csv (curve) and .png (broken core) of each seed, TEST_curves.png (all), and "
+                   "TEST_rock.toml (the rock that was tested)")
       ->check(not_empty());
   add_common(*command, options->common);
   command->add_option("--threads", options->common.threads, "specimens side by side (the result does not depend on it)")

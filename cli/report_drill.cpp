@@ -107,6 +107,7 @@ void add_spread(std::vector<Row>& rows, const std::string& name, runtime::Spread
 
 report::Table summary_table(const std::vector<ShownRun>& runs) {
   using Summary = runtime::DrillSummary;
+  using Clamps = runtime::ClampTally;
   const auto number = [](double Summary::*value, double unit) {
     return [=](const ShownRun& run) { return fmt::format("{:.4g}", run.file.run.summary.*value / unit); };
   };
@@ -134,19 +135,28 @@ report::Table summary_table(const std::vector<ShownRun>& runs) {
                                ? "-"
                                : fmt::format("{}", run.file.run.summary.clamps.asked);
                   }});
-  rows.push_back({"\u2003outside their range [%]", [](const ShownRun& run) {
-                    const runtime::ClampTally& clamps = run.file.run.summary.clamps;
-                    return clamps.asked == 0
-                               ? "-"
-                               : share(static_cast<double>(clamps.clamped()) / static_cast<double>(clamps.asked));
-                  }});
+  const auto outside = [](std::int64_t Clamps::*below, std::int64_t Clamps::*above) {
+    return [=](const ShownRun& run) {
+      const Clamps& clamps = run.file.run.summary.clamps;
+      const auto count = static_cast<double>(clamps.*below + clamps.*above);
+      return clamps.asked == 0 ? "-" : share(count / static_cast<double>(clamps.asked));
+    };
+  };
+  rows.push_back(
+      {"\u2003speed outside their range [% of questions]", outside(&Clamps::speed_below, &Clamps::speed_above)});
+  rows.push_back(
+      {"\u2003depth outside their range [% of questions]", outside(&Clamps::depth_below, &Clamps::depth_above)});
+  rows.push_back(
+      {"\u2003rake outside their range [% of questions]", outside(&Clamps::rake_below, &Clamps::rake_above)});
   rows.push_back({"energy lost by the solver [%]", percent(&Summary::energy_residual)});
   return table_of(
       runs,
       "What came out, over all steps after settling: mean \u00b1 standard deviation. Severity: (highest - lowest) / "
       "(2 mean) of the bit's speed, 1 where it just comes to rest. At rest: slower than 1 rpm. Off bottom: no weight "
       "on bit. Rock on bit in all: weight on bit and the force of the source, in the mean the static weight. "
-      "Strongest: frequency of the highest value of a spectrum. Energy lost: over the work that went through the "
+      "Strongest: frequency of the highest value of a spectrum. Outside: of the conditions that networks were asked "
+      "for, one question a cutter and window; one question may be outside in several ways. Energy lost: over the work "
+      "that went through the "
       "string.",
       rows);
 }
@@ -161,7 +171,9 @@ void add_clamp_notes(report::Page& page, const std::vector<ShownRun>& runs) {
         {"depth above", clamps.depth_above}, {"rake below", clamps.rake_below},   {"rake above", clamps.rake_above}};
     std::string said;
     for (const auto& [reason, count] : reasons) {
-      if (count > 0) said += fmt::format("{}{} the range {} times", said.empty() ? "" : ", ", reason, count);
+      if (count == 0) continue;
+      said += fmt::format("{}{} the range {} times, {} %", said.empty() ? "" : "; ", reason, count,
+                          share(static_cast<double>(count) / static_cast<double>(clamps.asked)));
     }
     page.note(fmt::format(
         "{}: the networks were asked {} times, some of them outside their training range ({}). There the answer is "

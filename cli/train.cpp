@@ -138,6 +138,7 @@ void add_train(CLI::App& app) {
   train.starts = usual_starts;
   train.smoothing = usual_smoothing;
   train.learning_rate = usual_learning_rate;
+  options->common.threads = cores();  // trainings run side by side
   CLI::App* command = app.add_subcommand("train", "fit the networks to features.csv");
   command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
   command->add_option("-o,--output", options->output, "model file to write")->default_val("model.json");

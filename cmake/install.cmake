@@ -7,12 +7,29 @@ install(TARGETS bitrock RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS ${modules} EXPORT bitrock ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS bitrock_runtime_shared EXPORT bitrock LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT bitrock NAMESPACE bitrock:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/bitrock)
+
+# Files of a tree, each in the folder it stands in; install(DIRECTORY) would make every folder, also those that stay
+# empty. Looked up again in every build, so that a new file is not forgotten.
+function(bitrock_install_tree root destination)
+  foreach(pattern ${ARGN})
+    file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${root} ${root}/${pattern})
+    foreach(file ${files})
+      get_filename_component(folder ${file} DIRECTORY)
+      install(FILES ${root}/${file} DESTINATION ${destination}/${folder})
+    endforeach()
+  endforeach()
+endfunction()
+
 foreach(module base dem2d peaks surrogate runtime campaigns report)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module} DESTINATION include/bitrock FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+  bitrock_install_tree(${PROJECT_SOURCE_DIR}/${module} include/bitrock/${module} *.hpp *.h)
 endforeach()
-install(FILES ${PROJECT_BINARY_DIR}/base/version.hpp DESTINATION include/bitrock/base)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/campaigns/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bitrock/campaigns
-        FILES_MATCHING PATTERN "*.toml")
+
+# What people run, and what came of it. The program finds it from its own place (cli/shipped.hpp), so the prefix may be
+# moved; in the build folder a link stands in the same place beside the program.
+set(data ${CMAKE_INSTALL_DATADIR}/bitrock/campaigns)
+bitrock_install_tree(${PROJECT_SOURCE_DIR}/campaigns ${data} *.toml features*.csv model.json)
+install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+bitrock_install_tree(${PROJECT_SOURCE_DIR}/docs ${CMAKE_INSTALL_DOCDIR}/docs *.md *.bib)
 
 configure_package_config_file(cmake/bitrock-config.cmake.in ${PROJECT_BINARY_DIR}/bitrock-config.cmake
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/bitrock)

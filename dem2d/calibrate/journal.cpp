@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -32,8 +33,8 @@ bool is_new(const std::filesystem::path& path) {
 void check_row(const base::CsvTable& table, std::size_t row) {
   const auto require = [&](std::size_t column, bool good, const char* allowed) {
     if (good) return;
-    throw base::InputError(fmt::format("{}:{}: {} = {} (must be {}; mend or remove the row)", table.source,
-                                       table.lines[row], column_names[column], table.columns[column][row], allowed));
+    throw base::InputError(fmt::format("{}:{}: {} = {} (must be {})", table.source, table.lines[row],
+                                       column_names[column], table.columns[column][row], allowed));
   };
   const auto cell = [&](std::size_t column) { return table.columns[column][row]; };
   const double test = cell(1), seed = cell(2);
@@ -45,13 +46,50 @@ void check_row(const base::CsvTable& table, std::size_t row) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a line is the begin of a row: fewer cells, or a last one that is no number.
+bool is_cut_short(std::string_view line) {
+  if (std::count(line.begin(), line.end(), ',') + 1 < static_cast<std::ptrdiff_t>(column_names.size())) return true;
+  const std::string_view cell = line.substr(line.rfind(',') + 1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return error != std::errc{} || end != cell.data() + cell.size();
+}
+
+/// Takes a last row out of the file that was cut short, by a copy say: it holds no whole test. Returns what was done.
+std::string leave_out_torn_row(const std::filesystem::path& path) {
+  const std::string content = base::read_whole(path);
+  const std::size_t end = content.rfind('\n');
+  if (end == std::string::npos || end + 1 == content.size()) return "";
+  const std::string_view last = std::string_view(content).substr(end + 1);
+  if (last.find_first_not_of(white_space) == std::string_view::npos || !is_cut_short(last)) return "";
+  base::write_whole(path, content.substr(0, end + 1));
+  return fmt::format("{}: the last row was cut short, and is left out; its test is made again", path.string());
+}
+
+}  // namespace
+
 Journal::Journal(std::filesystem::path path, const std::string& inputs)
     : path_(std::move(path)), lock_(path_), inputs_(static_cast<double>(base::fingerprint(inputs) >> 12)) {
   if (!base::is_there(path_) || is_new(path_)) return;
+  left_out_ = leave_out_torn_row(path_);
+  if (is_new(path_)) return;
+  try {
+    read_rows();
+  } catch (const base::InputError& error) {
+    throw base::InputError(
+        fmt::format("{} (mend or remove that line: the tests of all others are kept; or begin a new journal with "
+                    "--journal FILE)",
+                    error.what()));
+  }
+}
+
+void Journal::read_rows() {
   const base::CsvTable table = base::read_csv(path_);
   if (table.names != column_names) {
-    throw base::InputError(
-        fmt::format("{}: not a journal of a calibration (choose another file with --journal)", path_.string()));
+    throw base::InputError(fmt::format("{}: not a journal of a calibration, whose first line is {}", path_.string(),
+                                       fmt::join(column_names, ",")));
   }
   for (std::size_t i = 0; i < table.rows(); ++i) {
     check_row(table, i);

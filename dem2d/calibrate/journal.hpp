@@ -30,8 +30,9 @@ struct TestRecord {
 class Journal {
  public:
   /// Reads the table when it is there; an empty file is a new journal. `inputs` is a text on which all that the tests
-  /// depend is written, but for micro-parameters and seed. Throws `base::InputError` when a file of that name is no
-  /// journal, has a row that no test can have given, or is used by another program.
+  /// depend is written, but for micro-parameters and seed. A last row that was cut short is left out. Throws
+  /// `base::InputError` when a file of that name is no journal, has another row that no test can have given, or is used
+  /// by another program; the file is then as it was.
   Journal(std::filesystem::path path, const std::string& inputs);
 
   /// The record of exactly these micro-parameters and seed. Safe to call from several threads.
@@ -42,14 +43,20 @@ class Journal {
 
   const std::filesystem::path& path() const { return path_; }
 
+  /// What was left out, for the user; empty when nothing was.
+  const std::string& left_out() const { return left_out_; }
+
  private:
   struct Row {
     double inputs;  ///< the first 52 bits of the fingerprint, as a whole number
     TestRecord record;
   };
+  void read_rows();
+
   std::filesystem::path path_;
   base::FileLock lock_;
   double inputs_;
+  std::string left_out_;
   std::vector<Row> rows_;
   mutable std::mutex mutex_;
 };

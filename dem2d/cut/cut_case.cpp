@@ -43,7 +43,8 @@ std::vector<base::Section> describe(CutCase& cut) {
   const base::Range step_factor = between(1e-3, longest_step_factor);  // smaller ones only cost time
   const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
   return {
-      {"", {{"rock", &cut.rock_file, 1.0, any(), "rock file, relative to this file", true}}},
+      {"",
+       {{"rock", &cut.rock_file, 1.0, any(), "rock file, relative to this file; or the tables of a rock here", true}}},
       {"cut",
        {{"cutter_speed_m_per_s", &cut.cutter_speed, 1.0, cutter_speed_m_per_s, "along the surface", true},
         {"depth_of_cut_mm", &cut.depth_of_cut, mm, depth_of_cut_mm, "surface above the tip", true},
@@ -164,16 +165,6 @@ std::vector<std::string> warnings(const CutCase& cut) {
   return found;
 }
 
-CutCase read_cut_case(const std::filesystem::path& path) {
-  CutCase cut;
-  base::ConfigFile file = base::ConfigFile::read(path);
-  for (const base::Section& section : describe(cut)) file.fill(section);
-  file.refuse_unknown();
-  cut.rock = read_rock(file.resolve(cut.rock_file));
-  check_cut_case(cut, path.string());
-  return cut;
-}
-
 namespace {
 
 std::vector<base::Section> case_and_rock(CutCase& cut) {
@@ -184,20 +175,37 @@ std::vector<base::Section> case_and_rock(CutCase& cut) {
   return sections;
 }
 
+CutCase checked(base::ConfigFile file) {
+  CutCase cut;
+  const bool inside = has_rock_inside(file);
+  if (inside) cut.rock = rock_inside(file);
+  std::vector<base::Section> sections = describe(cut);
+  if (inside) sections.erase(sections.begin());
+  for (const base::Section& section : sections) file.fill(section);
+  file.refuse_unknown();
+  if (!inside) cut.rock = read_rock(file.resolve(cut.rock_file));
+  check_cut_case(cut, file.name());
+  return cut;
+}
+
 }  // namespace
+
+CutCase read_cut_case(const std::filesystem::path& path) {
+  return checked(base::ConfigFile::read(path));
+}
 
 std::string resolved_toml(const CutCase& cut) {
   CutCase copy = cut;
   return base::to_toml(case_and_rock(copy));
 }
 
+std::string exact_toml(const CutCase& cut) {
+  CutCase copy = cut;
+  return base::to_exact_toml(case_and_rock(copy));
+}
+
 CutCase parse_resolved(const std::string& text, const std::string& name) {
-  CutCase cut;
-  base::ConfigFile file = base::ConfigFile::from_text(text, name);
-  for (const base::Section& section : case_and_rock(cut)) file.fill(section);
-  file.refuse_unknown();
-  check_cut_case(cut, name);
-  return cut;
+  return checked(base::ConfigFile::from_text(text, name));
 }
 
 }  // namespace dem2d

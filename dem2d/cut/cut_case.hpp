@@ -44,7 +44,7 @@ inline constexpr base::Range back_rake_deg{.low = 0.0, .high = 60.0};
 /// The sections of the file without the rock, bound to `cut`.
 std::vector<base::Section> describe(CutCase& cut);
 
-/// Reads the case and the rock it names, checked together. Throws `base::InputError`.
+/// Reads the case and the rock it names, or holds, checked together. Throws `base::InputError`.
 CutCase read_cut_case(const std::filesystem::path& path);
 
 /// Checks that concern several values at once (depth against bed, length against bed ...); throws `base::InputError`
@@ -54,8 +54,11 @@ void check_cut_case(const CutCase& cut, const std::string& source);
 /// What is allowed but hardly wanted, in words: a depth of cut, or a cutter, below one grain.
 std::vector<std::string> warnings(const CutCase& cut);
 
-/// Case and rock as one TOML text: everything the result depends on but the seed.
+/// Case and rock as one TOML text: everything the result depends on but the seed. To 15 digits: what is compared.
 std::string resolved_toml(const CutCase& cut);
+
+/// The same, read back to the same bits: a file of which the cut can be made again.
+std::string exact_toml(const CutCase& cut);
 
 /// Reads such a text back.
 CutCase parse_resolved(const std::string& text, const std::string& name);

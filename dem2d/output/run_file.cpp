@@ -79,7 +79,7 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
   file.attribute("format_version", format_version);
   file.attribute("version", base::version);
   file.attribute("git_commit", base::git_commit);
-  file.attribute("config_toml", resolved_toml(cut));
+  file.attribute("config_toml", exact_toml(cut));
   file.attribute("config_hash", cut_hash(cut, seed));
   file.attribute("seed", static_cast<long long>(seed));
   file.attribute("bed_origin", run.bed_origin);

@@ -1,5 +1,7 @@
 #include "dem2d/specimen/rock.hpp"
 
+#include <algorithm>
+
 #include "base/units.hpp"
 #include "dem2d/contact/flat_joint.hpp"
 
@@ -9,10 +11,8 @@ namespace {
 
 using base::deg, base::GPa, base::mm, base::MPa;
 
-Rock checked(base::ConfigFile file) {
-  Rock rock;
-  for (const base::Section& section : describe(rock)) file.fill(section);
-  file.refuse_unknown();
+/// Checks that concern several keys.
+void check(const base::ConfigFile& file, const Rock& rock) {
   if (rock.radius_max < rock.radius_min) {
     file.refuse("discs", "radius_max_mm", "must be at least discs.radius_min_mm");
   }
@@ -40,6 +40,13 @@ Rock checked(base::ConfigFile file) {
     file.refuse("packing", "pressure_MPa",
                 "must be at most a tenth of packing.effective_modulus_GPa, or discs overlap by a tenth");
   }
+}
+
+Rock checked(base::ConfigFile file) {
+  Rock rock;
+  for (const base::Section& section : describe(rock)) file.fill(section);
+  file.refuse_unknown();
+  check(file, rock);
   return rock;
 }
 
@@ -108,6 +115,21 @@ std::vector<base::Section> describe_material(Rock& rock) {
 
 Rock read_rock(const std::filesystem::path& path) {
   return checked(base::ConfigFile::read(path));
+}
+
+bool has_rock_inside(const base::ConfigFile& file) {
+  Rock rock;
+  const std::vector<base::Section> tables = describe_material(rock);
+  return std::any_of(tables.begin(), tables.end(), [&](const auto& table) { return file.has_table(table.name); });
+}
+
+Rock rock_inside(base::ConfigFile& file) {
+  if (file.has("rock") && !file.has_table("rock"))
+    file.refuse("", "rock", "the tables of a rock stand in this file too; give one of the two");
+  Rock rock;
+  for (const base::Section& section : describe_material(rock)) file.fill(section);
+  check(file, rock);
+  return rock;
 }
 
 Rock parse_rock(std::string_view text, const std::string& name) {

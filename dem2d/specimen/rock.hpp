@@ -73,6 +73,10 @@ std::vector<base::Section> describe_material(Rock& rock);
 
 /// Reads and checks; throws `base::InputError` with file, line and key.
 Rock read_rock(const std::filesystem::path& path);
+/// Whether a file that needs a rock holds its tables, instead of naming a file.
+bool has_rock_inside(const base::ConfigFile& file);
+/// The rock of such a file. What else stands in it is left to the caller.
+Rock rock_inside(base::ConfigFile& file);
 Rock parse_rock(std::string_view text, const std::string& name);
 
 }  // namespace dem2d

@@ -72,9 +72,12 @@ void write_specimen(const Specimen& specimen, const std::filesystem::path& path)
   file.attribute("format", format_name);
   file.attribute("format_version", format_version);
   file.attribute("version", base::version);
+  file.attribute("git_commit", base::git_commit);
   file.attribute("genesis_version", static_cast<long long>(genesis_version));
   Rock rock = specimen.rock;
-  file.attribute("config_toml", base::to_toml(describe(rock)));
+  rock.specimen_width = specimen.width;  // whatever the rock file says of it: so the text makes this one again
+  rock.specimen_height = specimen.height;
+  file.attribute("config_toml", base::to_exact_toml(describe(rock)));
   file.attribute("seed", static_cast<long long>(specimen.seed));
   file.attribute("width_m", specimen.width);
   file.attribute("height_m", specimen.height);

@@ -17,14 +17,7 @@ using base::deg, base::mm;
 // The rings of a single-set bit cover its face once. Rounding and a missing centre are less than this [1].
 constexpr double allowed_width_error = 0.1;
 
-/// The words of the file and the seed on their way to enumerations and an unsigned seed.
-struct Words {
-  std::string combine = "sum";
-  std::string amplitude_fit = "band_preserving";
-  int seed = 1;
-};
-
-base::Section describe(Bit& bit, Words& words) {
+base::Section describe_bit(Bit& bit, BitWords& words) {
   const base::Range diameter = base::between(10.0, 5000.0);  // from a core bit on the bench to a shaft
   const base::Range window = base::between(1.0, 360.0);
   const base::Range factor = base::between(0.01, 2.0);  // pulses without width have no force
@@ -49,7 +42,7 @@ base::Section describe(Cutter& cutter, double bit_diameter) {
            {"back_rake_deg", &cutter.back_rake, deg, base::between(0.0, 60.0), "back rake", true}}};
 }
 
-void take_words(const base::ConfigFile& file, const Words& words, SignalSettings& signal) {
+void take_words(const base::ConfigFile& file, const BitWords& words, SignalSettings& signal) {
   if (words.combine != "sum" && words.combine != "max") file.refuse("bit", "combine", "must be 'sum' or 'max'");
   if (words.amplitude_fit != "band_preserving" && words.amplitude_fit != "article") {
     file.refuse("bit", "amplitude_fit", "must be 'band_preserving' or 'article'");
@@ -61,11 +54,11 @@ void take_words(const base::ConfigFile& file, const Words& words, SignalSettings
 
 }  // namespace
 
-Bit read_bit(base::ConfigFile& file) {
+Bit bit_inside(base::ConfigFile& file) {
   Bit bit;
   bit.signal.window_angle = default_window_angle_deg * deg;
-  Words words;
-  file.fill(describe(bit, words));
+  BitWords words;
+  file.fill(describe_bit(bit, words));
   take_words(file, words, bit.signal);
 
   const int count = file.count("cutter");
@@ -74,8 +67,13 @@ Bit read_bit(base::ConfigFile& file) {
     file.fill_entry(describe(cutter, bit.diameter), i);
     bit.cutters.push_back(cutter);
   }
+  return bit;
+}
+
+Bit read_bit(base::ConfigFile& file) {
+  Bit bit = bit_inside(file);
   file.refuse_unknown();
-  if (count == 0) throw base::InputError(file.name() + ": no [[cutter]] (a bit needs at least one)");
+  if (bit.cutters.empty()) throw base::InputError(file.name() + ": no [[cutter]] (a bit needs at least one)");
   return bit;
 }
 
@@ -110,6 +108,21 @@ std::vector<std::string> warnings(const Bit& bit) {
 Bit read_bit(const std::filesystem::path& path) {
   base::ConfigFile file = base::ConfigFile::read(path);
   return read_bit(file);
+}
+
+BitWords words_of(const Bit& bit) {
+  return {.combine = bit.signal.combine == Combine::max ? "max" : "sum",
+          .amplitude_fit = bit.signal.amplitude_fit == AmplitudeFit::article ? "article" : "band_preserving",
+          .seed = static_cast<int>(bit.signal.seed)};
+}
+
+std::vector<base::Section> describe(Bit& bit, BitWords& words) {
+  std::vector<base::Section> sections{describe_bit(bit, words)};
+  for (Cutter& cutter : bit.cutters) {
+    sections.push_back(describe(cutter, bit.diameter));
+    sections.back().name = "[cutter]";  // an array of tables
+  }
+  return sections;
 }
 
 }  // namespace runtime

@@ -39,4 +39,18 @@ Bit read_bit(const std::filesystem::path& path);
 /// What is allowed but hardly meant, in words: cutters that leave rock standing between them, or take some of it twice.
 std::vector<std::string> warnings(const Bit& bit);
 
+/// The bit of a file in which other things stand too: its keys of `[bit]`, and `[[cutter]]`.
+Bit bit_inside(base::ConfigFile& file);
+
+/// What the file says in other terms than the bit holds.
+struct BitWords {
+  std::string combine = "sum";
+  std::string amplitude_fit = "band_preserving";
+  int seed = 1;
+};
+BitWords words_of(const Bit& bit);
+
+/// `[bit]`, then a `[[cutter]]` each, bound to `bit` and `words` (base/config.hpp).
+std::vector<base::Section> describe(Bit& bit, BitWords& words);
+
 }  // namespace runtime

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -148,7 +149,7 @@ std::vector<base::Section> describe_operation(DrillCase& drill, Words& words) {
         {"inertia_kg_m2", &drill.drive_inertia, 1.0, between(0.0, 1e6), "of a drive that imposes torque"},
         {"damping_N_m_s_per_rad", &drill.drive_damping, 1.0, torsional_damper, "of that drive"}}},
       {"bit",
-       {{"file", &drill.bit_file, 1.0, any(), "bit file, relative to this file"},
+       {{"file", &drill.bit_file, 1.0, any(), "bit file, relative to this file; or the keys of a bit here"},
         {"mass_kg", &drill.bit_mass, 1.0, bit_mass, "added to the lowest axial lump"},
         {"inertia_kg_m2", &drill.bit_inertia, 1.0, bit_inertia, "added to the lowest inertia; 0: of a cylinder"},
         {"damping_N_m_s_per_rad", &drill.bit_damping, 1.0, torsional_damper, "against the ground"},
@@ -293,11 +294,11 @@ void check_together(const base::ConfigFile& file, const DrillCase& drill) {
                 "needs a string without axial chain; here hook load and weight give it");
   if (!drill.drive.imposes_speed && drill.drive_inertia == 0.0)
     file.refuse("top_drive", "inertia_kg_m2", "must be above 0 for a drive that imposes torque");
-  if (rock.friction.law != FrictionLaw::none && rock.friction_radius == 0.0 && drill.bit_file.empty())
+  if (rock.friction.law != FrictionLaw::none && rock.friction_radius == 0.0 && drill.bit.cutters.empty())
     file.refuse("bit", "friction_radius_mm", "must be above 0 where there is friction and no bit file");
   if (rock.friction.stribeck.sliding > rock.friction.stribeck.resting)
     file.refuse("friction", "sliding", "must not exceed the coefficient at rest");
-  if (drill.source.kind == SourceKind::bit && drill.bit_file.empty())
+  if (drill.source.kind == SourceKind::bit && drill.bit.cutters.empty())
     file.refuse("bit", "file", "is needed by the source 'bit'");
   const DrillSchedule& run = drill.run;
   if (run.step > run.sample) file.refuse("run", "sample_ms", "must be at least step_ms");
@@ -323,6 +324,11 @@ DrillCase read_keys(base::ConfigFile& file) {
   } else {
     if (file.has("string")) throw base::InputError(file.name() + ": [string] without [[pipe]] (needs at least one)");
     read_chains(file, drill);
+  }
+  if (file.count("cutter") > 0) {
+    if (!drill.bit_file.empty())
+      file.refuse("bit", "file", "[[cutter]] of a bit stand in this file too; give one of the two");
+    drill.bit = bit_inside(file);
   }
   take_words(file, words, drill);
   file.refuse_unknown();
@@ -352,6 +358,19 @@ DrillCase recorded_drill_case(std::string_view text, const std::string& name) {
   return read_keys(file);
 }
 
+namespace {
+
+/// Puts the bit where its file was named: key by key, so that the text needs no other file.
+void put_bit_inside(std::vector<base::Section>& sections, Bit& bit, BitWords& words) {
+  std::vector<base::Section> of_bit = describe(bit, words);
+  const auto section = std::find_if(sections.begin(), sections.end(), [](const auto& s) { return s.name == "bit"; });
+  std::erase_if(section->fields, [](const base::Field& field) { return field.name == "file"; });
+  section->fields.insert(section->fields.end(), of_bit.front().fields.begin(), of_bit.front().fields.end());
+  sections.insert(sections.end(), of_bit.begin() + 1, of_bit.end());
+}
+
+}  // namespace
+
 std::string resolved_toml(const DrillCase& drill) {
   DrillCase copy = drill;
   Words words = words_of(drill);
@@ -366,13 +385,15 @@ std::string resolved_toml(const DrillCase& drill) {
       sections.back().name = "[pipe]";  // an array of tables
     }
   }
+  BitWords words_of_bit = words_of(copy.bit);
+  if (!copy.bit.cutters.empty()) put_bit_inside(sections, copy.bit, words_of_bit);
   for (base::Section& section : sections) {  // a list that is empty was not given
     std::erase_if(section.fields, [](const base::Field& field) {
       const auto* list = std::get_if<std::vector<double>*>(&field.target);
       return list != nullptr && (*list)->empty();
     });
   }
-  return base::to_toml(sections);
+  return base::to_exact_toml(sections);
 }
 
 }  // namespace runtime

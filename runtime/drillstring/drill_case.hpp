@@ -46,8 +46,8 @@ struct DrillCase {
   TopDrive drive;
   double drive_inertia = 0.0;  ///< [kg m^2] of a drive that imposes torque
   double drive_damping = 0.0;  ///< [N m s/rad] of that drive against the ground
-  std::string bit_file;        ///< empty: none
-  Bit bit;                     ///< of `bit_file`
+  std::string bit_file;        ///< empty: no bit, or its keys stand in the case itself
+  Bit bit;                     ///< without cutters: none
   double bit_mass = 0.0;       ///< [kg] added to the lowest axial lump
   double bit_inertia = 0.0;    ///< [kg m^2] added to the lowest torsional lump; 0 with a bit file: of a cylinder
   double bit_damping = 0.0;    ///< [N m s/rad] of the bit against the ground
@@ -66,11 +66,11 @@ struct DrillCase {
 DrillCase read_drill_case(base::ConfigFile& file);
 DrillCase read_drill_case(const std::filesystem::path& path);
 
-/// The case back from `resolved_toml`, long after: the files it names need not be there any more, so `bit` stays empty
-/// and the case cannot be run. `name` is for messages.
+/// The case back from `resolved_toml`, long after: the networks it names need not be there any more. `name` is for
+/// messages.
 DrillCase recorded_drill_case(std::string_view text, const std::string& name);
 
-/// The case with every value, as a file.
+/// The case with every value and the bit inside, as a file that is read back to the same bits. It names the networks.
 std::string resolved_toml(const DrillCase& drill);
 
 /// Throws `InputError` when the parts do not make a drill string.

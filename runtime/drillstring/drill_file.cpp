@@ -160,13 +160,16 @@ DrillSummary read_summary(const base::Hdf5Reader& file) {
 void write_drill_run(const DrillRun& run, const DrillCase& drill, const std::string& model,
                      const std::filesystem::path& path) {
   base::Hdf5Writer file;
-  const std::string config = resolved_toml(drill);
+  DrillCase without_path = drill, with_path = drill;  // the networks count by what they are, not by where they lie
+  without_path.source.model_file.clear();
+  if (!drill.source.model_file.empty())
+    with_path.source.model_file = std::filesystem::absolute(drill.source.model_file).lexically_normal().string();
   file.attribute("format", format_name);
   file.attribute("format_version", format_version);
   file.attribute("version", base::version);
   file.attribute("git_commit", base::git_commit);
-  file.attribute("config_toml", config);
-  file.attribute("config_hash", base::fingerprint_text(config + model));
+  file.attribute("config_toml", resolved_toml(with_path));
+  file.attribute("config_hash", base::fingerprint_text(resolved_toml(without_path) + model));
   file.attribute("model_fingerprint", model);
   file.attribute("step_s", run.step);
   file.attribute("steps", run.steps);

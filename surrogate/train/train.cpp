@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/errors.hpp"
+#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "surrogate/net/model_file.hpp"
@@ -132,8 +133,7 @@ void train_outputs(const TrainOptions& options, const ScatterLaw& law, const Sid
       }
     }
   };
-  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  const unsigned wanted = options.threads == 0 ? cores : static_cast<unsigned>(options.threads);
+  const auto wanted = static_cast<unsigned>(options.threads == 0 ? base::available_cores() : options.threads);
   std::vector<std::jthread> helpers;
   for (unsigned i = 1; i < std::min<unsigned>(wanted, output_count); ++i) helpers.emplace_back(work);
   work();

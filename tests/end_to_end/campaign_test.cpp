@@ -248,8 +248,94 @@ TEST_F(Campaign, PlansAndScripts) {
     EXPECT_NE(script.find(line), std::string::npos) << line << "\n" << script;
   }
   EXPECT_EQ(std::system(("bash -n \"" + (dir / "it's here/slurm/array.sh").string() + "\"").c_str()), 0);
+  EXPECT_NE(script.find("campaign run --dir"), std::string::npos) << "with the study that the folder holds\n" << script;
   EXPECT_EQ(run("campaign submit " + in("new") + " --dry-run --time soon").status, 2);
   EXPECT_EQ(run("campaign submit " + in("new") + " --dry-run --tasks 1001").status, 2);
+}
+
+TEST_F(Campaign, ALimitShorterThanItsCutsIsWarnedOf) {
+  const auto said = [&](const std::string& flags) {
+    const auto outcome = run("campaign submit " + in("limits") + " --dry-run " + flags);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    return outcome.text;
+  };
+  EXPECT_NE(said("--time 00:00:30").find("warning: --time 00:00:30 is too short for the longest cut, about "),
+            std::string::npos);
+  for (const char* enough : {"--time 00:30:00", "--time 1-00:00:00", "--time 00:00:00", ""})
+    EXPECT_EQ(said(enough).find("too short"), std::string::npos) << enough << ": zero is no limit";
+  base::write_whole(study, text(3.0) + "[run]\nstep_factor = 0.0001\n");  // cuts of many minutes, 6 in one task
+  fs::remove_all(dir / "limits");
+  const auto planned = dir / "plan.json";
+  ASSERT_EQ(run("campaign plan " + study + " --json " + planned.string()).status, 0);
+  const auto longest = program::json(planned)["longest_cut_s"].get<double>();
+  const auto all = 3600.0 * program::json(planned)["core_hours"].get<double>();
+  ASSERT_GT(all, 1.5 * longest);
+  const int minutes = static_cast<int>(1.2 * longest / 60.0) + 3;
+  ASSERT_LT(60.0 * minutes, all);
+  EXPECT_NE(said(fmt::format("--tasks 1 --time {}:{:02d}:00", minutes / 60, minutes % 60))
+                .find("too short for the cuts of one task"),
+            std::string::npos);
+}
+
+TEST_F(Campaign, AMovedFolderStandsAlone) {
+  // rock and table lie beside the study; after the move there is nothing at these paths any more
+  const fs::path home = dir / "home";
+  fs::create_directories(home);
+  fs::copy(BITROCK_SOURCE_DIR "/campaigns/rocks/article.toml", home / "rock.toml");
+  base::write_whole(home / "cases.csv", "cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg\n4,2,15\n3,2,15\n");
+  base::write_whole(home / "study.toml",
+                    "rock = \"rock.toml\"\nseeds = [3]\ntable = \"cases.csv\"\n[cut]\ncut_length_mm = 3\n"
+                    "[bed]\nlength_mm = 13\nheight_mm = 10\n");
+  ASSERT_EQ(run("campaign run " + (home / "study.toml").string() + " --dir " + (home / "camp").string()).status, 0);
+  fs::remove(home / "camp/runs/case_002_seed_3.h5");
+  fs::rename(home / "camp", dir / "moved");
+  fs::remove_all(home);
+  const std::string moved = " --dir " + (dir / "moved").string();
+  for (const std::string& study_named : {std::string(), " " + (dir / "moved/study.toml").string()}) {
+    const auto seen = run("campaign status" + study_named + moved);
+    EXPECT_EQ(seen.status, 0) << seen.text;
+    EXPECT_NE(seen.text.find("1 of 2 runs done"), std::string::npos) << seen.text;
+  }
+  const auto finished = run("campaign run" + moved);
+  EXPECT_EQ(finished.status, 0) << finished.text;
+  EXPECT_NE(finished.text.find("2 of 2 runs done"), std::string::npos) << finished.text;
+  EXPECT_EQ(run("campaign collect" + moved).status, 0);
+  EXPECT_EQ(base::read_csv(dir / "moved/features.csv", false, {"hash"}).rows(), 2U);
+  EXPECT_EQ(run("campaign plan" + moved).status, 0);
+  EXPECT_EQ(run("campaign submit --dry-run" + moved).status, 0);
+}
+
+TEST_F(Campaign, WithoutAStudyAndItsFolder) {
+  const auto none = run("campaign plan");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.text.find("a study is needed"), std::string::npos) << none.text;
+  const auto empty = run("campaign status --dir " + dir.path().string() + "/nothing");
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_NE(empty.text.find("has no study.toml yet"), std::string::npos) << empty.text;
+}
+
+TEST_F(Campaign, DamageInItsTablesNamesTheWayOut) {
+  const std::string whole = undisturbed();
+  ASSERT_EQ(run("campaign collect " + in("undisturbed")).status, 0);
+  ASSERT_EQ(run("campaign collect " + in("here") + " --accept " + (dir / "undisturbed/features.csv").string()).status,
+            0);
+  const fs::path kept = dir / "here/accepted.csv";
+  const std::string accepted = base::read_whole(kept);
+  base::write_whole(kept, accepted.substr(0, accepted.size() - 60));
+  const auto torn = run("campaign status " + in("here"));
+  EXPECT_EQ(torn.status, 2) << torn.text;
+  EXPECT_NE(torn.text.find("accepted.csv:7: "), std::string::npos) << torn.text;
+  EXPECT_NE(torn.text.find("mend or remove that line"), std::string::npos) << torn.text;
+  base::write_whole(kept, accepted);
+
+  const fs::path study_kept = dir / "here/study.toml";
+  base::write_whole(study_kept, "seeds = [3\n");
+  const auto damaged = run("campaign status " + in("here"));
+  EXPECT_EQ(damaged.status, 2) << damaged.text;
+  EXPECT_NE(damaged.text.find("remove that file"), std::string::npos) << damaged.text;
+  fs::remove(study_kept);
+  EXPECT_EQ(run("campaign run " + in("here")).status, 0);
+  EXPECT_EQ(features("here"), whole);
 }
 
 TEST_F(Campaign, CutsThatAreHardlyWantedOrCannotBe) {

@@ -17,7 +17,7 @@ using program::json, program::run;
 const std::string stick_slip = BITROCK_SOURCE_DIR "/campaigns/drill/stick_slip.toml";
 const std::string model = " --model " BITROCK_SOURCE_DIR "/campaigns/paper240/model.json";
 
-/// One of the shipped cases, 2 s long.
+/// One of the shipped cases, 2 s long, without its networks.
 std::string short_case() {
   std::string text = base::read_whole(stick_slip);
   const auto swap = [&](const std::string& from, const std::string& to) {
@@ -26,6 +26,7 @@ std::string short_case() {
     text.replace(place, from.size(), to);
   };
   swap("../bits", BITROCK_SOURCE_DIR "/campaigns/bits");
+  swap("model = \"../paper240/model.json\"\n", "");
   swap("duration_s = 30", "duration_s = 2");
   swap("settling_s = 5", "settling_s = 0.5");
   return text;

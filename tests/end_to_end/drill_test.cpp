@@ -75,9 +75,47 @@ TEST(Drill, WrongInputEndsWithStatus2AndSaysWhy) {
   refused("name = \"nothing\"\n[run]\nduration_s = 1\n", "", "[[pipe]]");
   refused(sinusoidal_case() + "sample = 3\n", "", "sample_ms");
   refused(sinusoidal_case(), " --seed -3", "--seed");
-  const auto outcome = run("drill run " + cases + "normal.toml -o " + (folder / "run.h5").string());
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.text.find("--model"), std::string::npos) << outcome.text;
+  std::string without = base::read_whole(cases + "normal.toml");
+  const std::string model = "model = \"../paper240/model.json\"\n";
+  ASSERT_NE(without.find(model), std::string::npos);
+  without.erase(without.find(model), model.size());
+  without.replace(without.find("../bits"), 7, BITROCK_SOURCE_DIR "/campaigns/bits");
+  refused(without, "", "--model");
+}
+
+TEST(Drill, ShippedCasesRunAsTheyAre) {
+  const scratch::Folder folder("drill_shipped");
+  for (const std::string name : {"normal", "stick_slip", "bit_bounce"}) {
+    const auto outcome = run("drill run " + cases + name + ".toml -o " + (folder / "run.h5").string());
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_EQ(run("drill modes " + cases + name + ".toml").status, 0);
+    EXPECT_EQ(run("drill map " + cases + name + ".toml --check").status, 0);
+    EXPECT_EQ(run("drill compare " + cases + name + ".toml --check -o " + folder.path().string()).status, 0);
+  }
+}
+
+TEST(Drill, RunsOfAnEarlierComparisonAreToldApart) {
+  const scratch::Folder folder("drill_compare_again");
+  std::string text = base::read_whole(cases + "normal.toml");
+  const auto swap = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  swap("../bits", BITROCK_SOURCE_DIR "/campaigns/bits");
+  swap("../paper240", BITROCK_SOURCE_DIR "/campaigns/paper240");
+  swap("duration_s = 30", "duration_s = 1");
+  swap("settling_s = 5", "settling_s = 0");
+  base::write_whole(folder / "case.toml", text);
+  const std::string command = "drill compare " + (folder / "case.toml").string() + " -o " + (folder / "out").string();
+  const auto first = run(command + " --seeds 1:2");
+  ASSERT_EQ(first.status, 0) << first.text;
+  EXPECT_EQ(first.text.find("also holds"), std::string::npos) << first.text;
+  const auto second = run(command + " --seeds 1:1");
+  ASSERT_EQ(second.status, 0) << second.text;
+  EXPECT_NE(second.text.find("also holds runs that are not of this call, and not in its tables: networks_2.h5, "
+                             "sinusoidal_2.h5, noise_2.h5"),
+            std::string::npos)
+      << second.text;
 }
 
 TEST(Drill, AModelOfAnotherRockIsWarnedOf) {

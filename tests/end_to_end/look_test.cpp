@@ -2,7 +2,9 @@
 // wrong on the way there.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "base/hdf5_file.hpp"
 #include "tests/end_to_end/program.hpp"
@@ -80,7 +82,7 @@ TEST_F(Look, AnimationAsPictures) {
   for (const char* name : {"frame_0000.png", "frame_0001.png", "frame_0002.png"})
     EXPECT_TRUE(fs::exists(frames / name));
   EXPECT_FALSE(fs::exists(frames / "frame_0003.png"));
-  base::write_whole(frames / "frame_0003.png", "of another animation");
+  base::write_whole(frames / "frame_0005.png", "of another animation");
   expect("animate " + with_frames() + " -o " + frames.string(), 2, "give an empty folder");
 }
 
@@ -108,6 +110,18 @@ TEST_F(Look, ParaViewFolder) {
     EXPECT_TRUE(fs::exists(folder / "frames" / (std::string(series) + "_0002.vtp")));
   }
   ASSERT_EQ(run(command).status, 0) << "a second time, over the first";
+
+  // then a shorter run without joints into the same folder, where somebody else keeps files too
+  base::write_whole(folder / "frames" / "mine_0002.vtp", "not ours");
+  base::write_whole(folder / "frames" / "discs_2.vtp", "not ours");
+  ASSERT_EQ(run("export vtk " + without_frames() + " -o " + folder.string()).status, 0);
+  std::vector<std::string> left;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_directory()) left.push_back(entry.path().filename().string());
+  }
+  std::sort(left.begin(), left.end());
+  EXPECT_EQ(left, (std::vector<std::string>{"cracks.pvd", "cracks_0000.vtp", "cutter.pvd", "cutter_0000.vtp",
+                                            "discs.pvd", "discs_0000.vtp", "discs_2.vtp", "mine_0002.vtp"}));
 
   const fs::path plain = dir / "plain";
   expect("export vtk " + without_frames() + " -o " + plain.string(), 0, "one instant only");

@@ -69,6 +69,40 @@ TEST(ReportDrill, APageOfOneRunHasItsChaptersAndNumbers) {
   EXPECT_TRUE(holds(cell_of(page, "natural, torsion, bit free [Hz]"), ", ")) << "two lumps, two frequencies";
 }
 
+TEST(ReportDrill, NoShareOfQuestionsIsAboveAll) {
+  // Turning slowly on a bit of steep cutters: most conditions are outside the range of the networks in two ways at
+  // once.
+  const scratch::Folder folder("report_shares");
+  std::string text = base::read_whole(BITROCK_SOURCE_DIR "/campaigns/drill/stick_slip.toml");
+  std::string bit = base::read_whole(BITROCK_SOURCE_DIR "/campaigns/bits/pdc15.toml");
+  const auto swap = [](std::string& in, const std::string& from, const std::string& to) {
+    ASSERT_NE(in.find(from), std::string::npos) << from;
+    for (std::size_t at = 0; (at = in.find(from, at)) != std::string::npos; at += to.size())
+      in.replace(at, from.size(), to);
+  };
+  for (const char* digit : {"1", "2"}) swap(bit, std::string("back_rake_deg = ") + digit, "back_rake_deg = 4");
+  swap(text, "../bits/pdc15.toml", "bit.toml");
+  swap(text, "../paper240", BITROCK_SOURCE_DIR "/campaigns/paper240");
+  swap(text, "duration_s = 30", "duration_s = 2");
+  swap(text, "settling_s = 5", "settling_s = 0.5");
+  base::write_whole(folder / "bit.toml", bit);
+  base::write_whole(folder / "case.toml", text);
+  const std::string run_file = (folder / "run.h5").string(), page_file = (folder / "p.html").string();
+  const auto drilled = run("drill run " + (folder / "case.toml").string() + " -o " + run_file);
+  ASSERT_EQ(drilled.status, 0) << drilled.text;
+  ASSERT_EQ(run("report " + run_file + " -o " + page_file).status, 0);
+  const std::string page = base::read_whole(page_file);
+  double sum = 0.0;
+  for (const char* what : {"speed", "depth", "rake"}) {
+    const std::string cell = cell_of(page, fmt::format("\u2003{} outside their range [% of questions]", what));
+    const double share = std::stod(cell);
+    EXPECT_GE(share, 0.0);
+    EXPECT_LE(share, 100.0) << what;
+    sum += share;
+  }
+  EXPECT_GT(sum, 100.0) << "one question may be outside in several ways";
+}
+
 TEST(ReportDrill, RunsStandSideBySide) {
   const Runs runs;
   const auto outcome = run("report " + runs.sinusoid + " " + runs.noise + " -o " + runs.page);

@@ -1,4 +1,5 @@
 // The whole thread through the program: rock, cuts, peaks, networks, parity, bit, report; and its resumability.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <thread>
 
 #include "base/csv.hpp"
+#include "base/parallel.hpp"
 #include "tests/end_to_end/program.hpp"
 
 namespace {
@@ -94,6 +96,22 @@ TEST(Thread, TheSameCutGivesTheSameForceForOneAndTwoThreads) {
     peaks[threads - 1] = base::read_whole(file + ".json");
   }
   EXPECT_EQ(peaks[0], peaks[1]);
+}
+
+TEST(Thread, WhatRunsSideBySideTakesAllCores) {
+  const std::string all = fmt::format("]={}", base::available_cores());
+  for (const auto& [command, flag] : {std::pair{"lab", "--threads"},
+                                      {"calibrate", "--threads"},
+                                      {"train", "--threads"},
+                                      {"campaign run", "--jobs"},
+                                      {"drill map", "--jobs"},
+                                      {"drill compare", "--jobs"}}) {
+    const std::string help = run(std::string(command) + " --help").text;
+    const std::size_t at = help.find(flag);
+    ASSERT_NE(at, std::string::npos) << help;
+    const std::string line = help.substr(at, help.find('\n', at) - at);
+    EXPECT_NE(line.find(all), std::string::npos) << command << ": " << line;
+  }
 }
 
 TEST(Thread, ARockOfAnotherSeedIsNotUsed) {

@@ -345,6 +345,38 @@ TEST(Journal, RefusesARowThatNoTestCanHaveGiven) {
             std::string::npos);
 }
 
+TEST(Journal, ALastRowCutShortIsLeftOutAndSaid) {
+  const scratch::Folder dir("journal_torn");
+  const std::string first = "5,1,3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n";
+  for (const char* torn : {"5,1,4,1e9,2.5", "5", "5,1,4,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,",
+                           "5,1,4,1e9,2.5,1e7,5e7,0.5,"
+                           "6e6,1e9,0.2,1e"}) {
+    base::write_whole(dir / "j.csv", journal_head + first + torn);
+    const dem2d::Journal journal(dir / "j.csv", "x");
+    EXPECT_NE(journal.left_out().find("j.csv: the last row was cut short"), std::string::npos) << torn;
+    EXPECT_EQ(base::read_whole(dir / "j.csv"), journal_head + first) << torn;
+  }
+  base::write_whole(dir / "j.csv", journal_head + first.substr(0, first.size() - 1));  // whole, without its line end
+  EXPECT_TRUE(dem2d::Journal(dir / "j.csv", "x").left_out().empty());
+  base::write_whole(dir / "j.csv", journal_head + "5,1,3");
+  EXPECT_FALSE(dem2d::Journal(dir / "j.csv", "x").left_out().empty());
+}
+
+TEST(Journal, DamageInTheMiddleNamesTheLineAndTheWayOut) {
+  const scratch::Folder dir("journal_damaged");
+  const std::string row = "5,1,3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n";
+  for (const std::string& text :
+       {journal_head + row + "5,1,4,1e9\n" + row, journal_head + row + "5,1,x,1,1,1,1,1,1,1,1,1\n",
+        journal_head + row + "5,7,3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n"}) {
+    base::write_whole(dir / "j.csv", text);
+    const std::string said = journal_message(dir / "j.csv");
+    EXPECT_NE(said.find("j.csv:3: "), std::string::npos) << said;
+    EXPECT_NE(said.find("mend or remove that line"), std::string::npos) << said;
+    EXPECT_NE(said.find("--journal"), std::string::npos) << said;
+    EXPECT_EQ(base::read_whole(dir / "j.csv"), text) << "nothing is lost";
+  }
+}
+
 TEST(Journal, IsUsedByOneCalibrationAtATime) {
   // the second would erase the rows of the first, because each writes the whole file from its own memory
   const scratch::Folder dir("journal_lock");

@@ -102,7 +102,11 @@ TEST_F(Folder, OtherFoldersAreRefused) {
   EXPECT_NE(words(dir / "none").find("none: there is no such folder"), std::string::npos);
   std::filesystem::create_directories(dir / "other");
   EXPECT_NE(words(dir / "other").find("is no campaign's folder"), std::string::npos);
-  base::write_whole(dir / "other/study.toml", "another\n");
+  base::write_whole(dir / "other/study.toml", "no study\n");
+  EXPECT_NE(words(dir / "other").find("is damaged: choose another --dir"), std::string::npos);
+  campaigns::Study another = study;
+  another.seeds = {77};
+  base::write_whole(dir / "other/study.toml", campaigns::exact_toml(another));
   EXPECT_NE(words(dir / "other").find("holds runs of another study"), std::string::npos);
   EXPECT_THROW(campaigns::open_folder(study, dir / "other"), base::InputError);
 }
@@ -113,11 +117,12 @@ TEST_F(Folder, FeaturesTellWhatTheRunsTell) {
   const auto collected = campaigns::collect(study, camp).rows;
   ASSERT_EQ(collected.size(), 2u) << "works at any time on what is finished, in job order";
   const std::string text = campaigns::features_csv(collected);
-  EXPECT_EQ(text.substr(0, text.find('\n')),
-            "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,"
-            "x_amax_N_per_m,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4,"
-            "x_mean_N_per_m,y_mean_N_per_m,chips,cracks_tensile,cracks_shear,energy_residual_fraction,discs,step_s,core_s,"
-            "hash");
+  EXPECT_EQ(
+      text.substr(0, text.find('\n')),
+      "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,"
+      "x_amax_N_per_m,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4,"
+      "x_mean_N_per_m,y_mean_N_per_m,chips,cracks_tensile,cracks_shear,energy_residual_fraction,discs,step_s,core_s,"
+      "hash");
   const base::CsvTable csv = base::read_csv(rows(text), false, {"hash"});
   EXPECT_EQ(csv.column("case"), (std::vector<double>{2.0, 3.0}));
   EXPECT_EQ(csv.column("seed"), (std::vector<double>{1.0, 5.0}));

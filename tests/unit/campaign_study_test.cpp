@@ -47,6 +47,23 @@ TEST_F(StudyFile, ATableOfTheSameCasesAsksForTheSameCuts) {
   }
 }
 
+TEST_F(StudyFile, AResolvedStudyNeedsNoOtherFile) {
+  table("back_rake_deg,cutter_speed_m_per_s,depth_of_cut_mm\n10,0.5,2\n30,0.7,4.1\n");
+  for (const std::string& text : {fx::study_text(), fx::head + by_table + "seeds = [1, 5]\n" + sizes,
+                                  fx::head + fx::grid + by_depth + "run_in_depths = 0.7\n"}) {
+    const campaigns::Study first = study(text);
+    base::write_whole(dir / "resolved.toml", campaigns::exact_toml(first));
+    const campaigns::Study again = campaigns::read_study(dir / "resolved.toml");
+    EXPECT_EQ(campaigns::exact_toml(again), campaigns::exact_toml(first));
+    const auto jobs = campaigns::jobs(first), jobs_again = campaigns::jobs(again);
+    ASSERT_EQ(jobs.size(), jobs_again.size());
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      EXPECT_EQ(dem2d::exact_toml(jobs[i].cut), dem2d::exact_toml(jobs_again[i].cut));
+      EXPECT_EQ(campaigns::job_hash(jobs[i]), campaigns::job_hash(jobs_again[i]));
+    }
+  }
+}
+
 TEST_F(StudyFile, WrongTablesNameFileAndLine) {
   const std::string text = fx::head + by_table + sizes;
   EXPECT_NE(message(text, "cannot read").find("cases.csv"), std::string::npos);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/errors.hpp"
 
 namespace {
@@ -98,6 +100,42 @@ TEST(Config, ResolvedTextReadsBackToTheSameValues) {
   EXPECT_EQ(again.radius, rock.radius);
 }
 
+TEST(Config, ExactTextReadsBackToTheSameBits) {
+  Rock rock;
+  rock.speeds = {0.1 + 0.2, 1.0 / 3.0};
+  bool without = true;
+  for (double radius = 1e-3; radius < 1.2e-3; radius = std::nextafter(radius + 1e-6, 1.0)) {
+    rock.radius = radius;
+    const std::string text = base::to_exact_toml({describe(rock)});
+    const Rock again = read(text);
+    EXPECT_EQ(again.radius, rock.radius) << text;
+    EXPECT_EQ(again.speeds, rock.speeds) << text;
+    without = without && text.find("[exact]") == std::string::npos;
+  }
+  EXPECT_FALSE(without) << "some lengths are no number of millimetres";
+  rock.radius = 1.5e-3;
+  rock.speeds = {2.0};
+  EXPECT_EQ(base::to_exact_toml({describe(rock)}), base::to_toml({describe(rock)})) << "what people write stays so";
+}
+
+TEST(Config, ExactTextOfALongListHasShortLines) {
+  Rock rock;
+  rock.speeds.assign(30000, 1.0 / 3.0);
+  EXPECT_EQ(read(base::to_exact_toml({describe(rock)})).speeds, rock.speeds);
+}
+
+TEST(Config, AnExactValueMustBeThatOfItsKey) {
+  EXPECT_EQ(read("[rock]\nradius_mm = 60\n[exact]\n\"rock.radius_mm\" = 6.0000000000000005e-2\n").radius,
+            6.0000000000000005e-2);
+  for (const char* value : {"0.061", "60", "nan", "'0.06'"}) {
+    EXPECT_NE(message(std::string("[rock]\nradius_mm = 60\n[exact]\n\"rock.radius_mm\" = ") + value)
+                  .find("rock.toml:4: [exact] rock.radius_mm = "),
+              std::string::npos)
+        << value;
+  }
+  EXPECT_NE(message("[rock]\nradius_mm = 60\n[exact]\n\"rock.radius\" = 6e-2").find("is unknown"), std::string::npos);
+}
+
 TEST(Config, SaysWhatTheFileHas) {
   const base::ConfigFile file = base::ConfigFile::from_text("a = 1\n[section]\nb = 2\n", "t.toml");
   EXPECT_TRUE(file.has("", "a"));
@@ -106,6 +144,9 @@ TEST(Config, SaysWhatTheFileHas) {
   EXPECT_FALSE(file.has("section", "a"));
   EXPECT_FALSE(file.has("a", "b")) << "a is no section";
   EXPECT_FALSE(file.has("other", "b"));
+  EXPECT_TRUE(file.has_table("section"));
+  EXPECT_FALSE(file.has_table("a"));
+  EXPECT_FALSE(file.has_table("other"));
 }
 
 TEST(Config, ANumberOutOfRangeThatFitsInAnotherUnitSaysSo) {

@@ -2,6 +2,7 @@
 #include "base/parallel.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <atomic>
 #include <stdexcept>
@@ -11,6 +12,20 @@
 #include "base/stop.hpp"
 
 namespace {
+
+TEST(AvailableCores, AreThoseTheProgramIsBoundTo) {
+  cpu_set_t all;
+  ASSERT_EQ(::sched_getaffinity(0, sizeof(all), &all), 0);
+  EXPECT_EQ(base::available_cores(), CPU_COUNT(&all));
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  for (int core = 0; core < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++core) {
+    if (CPU_ISSET(core, &all)) CPU_SET(core, &one);
+  }
+  ASSERT_EQ(::sched_setaffinity(0, sizeof(one), &one), 0);
+  EXPECT_EQ(base::available_cores(), 1);
+  ::sched_setaffinity(0, sizeof(all), &all);
+}
 
 TEST(ForEachIndex, CallsEveryIndexOnce) {
   for (const int jobs : {1, 2, 7, 100}) {
