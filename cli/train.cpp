@@ -173,9 +173,9 @@ void add_train(CLI::App& app) {
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
   command
-      ->add_option("--patience", options->patience,
-                   fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})",
-                               usual_patience))
+      ->add_option(
+          "--patience", options->patience,
+          fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})", usual_patience))
       ->check(CLI::Range(0, 10000000));
   command->add_option("--starts", train.starts, "random starts, of which the best is kept")
       ->check(CLI::Range(1, 1000))

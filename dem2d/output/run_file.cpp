@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "dem2d/output/frame_file.hpp"
+#include "dem2d/step/physics_version.hpp"
 
 namespace dem2d {
 

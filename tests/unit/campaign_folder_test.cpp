@@ -113,11 +113,12 @@ TEST_F(Folder, FeaturesTellWhatTheRunsTell) {
   const auto collected = campaigns::collect(study, camp).rows;
   ASSERT_EQ(collected.size(), 2u) << "works at any time on what is finished, in job order";
   const std::string text = campaigns::features_csv(collected);
-  EXPECT_EQ(text.substr(0, text.find('\n')),
-            "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,"
-            "x_amax_N_per_m,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4,"
-            "x_mean_N_per_m,y_mean_N_per_m,chips,cracks_tensile,cracks_shear,energy_residual_fraction,discs,step_s,core_s,"
-            "hash");
+  EXPECT_EQ(
+      text.substr(0, text.find('\n')),
+      "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,"
+      "x_amax_N_per_m,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4,"
+      "x_mean_N_per_m,y_mean_N_per_m,chips,cracks_tensile,cracks_shear,energy_residual_fraction,discs,step_s,core_s,"
+      "hash");
   const base::CsvTable csv = base::read_csv(rows(text), false, {"hash"});
   EXPECT_EQ(csv.column("case"), (std::vector<double>{2.0, 3.0}));
   EXPECT_EQ(csv.column("seed"), (std::vector<double>{1.0, 5.0}));
