@@ -27,7 +27,7 @@ struct AdamState {
 /// **Symbols** p parameter, m and v running means, alpha learning rate; all dimensionless in scaled units.
 /// **Source** [KingmaBa2015], its algorithm in the other order of computation, the form Keras computes (the article
 /// used Keras).
-/// **Differences** Algorithm 1 of the same paper divides by sqrt(v / (1 - beta2^t)) + epsilon. Both agree when
+/// **Differences** The paper's first form divides by sqrt(v / (1 - beta2^t)) + epsilon. Both agree when
 /// epsilon_hat = epsilon sqrt(1 - beta2^t): here epsilon stands outside the bias correction, so in the first steps it
 /// weighs up to 1/sqrt(1 - beta2) = 32 times more against the gradient than there.
 /// **Validity** A first step has length alpha |g| / (|g| + epsilon_hat / sqrt(1 - beta2)), whatever the scale of g.
