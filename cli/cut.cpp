@@ -143,8 +143,7 @@ void add_cut(CLI::App& app) {
   command->add_option("--frames", options->frames, "store all discs at this many instants, evenly spaced")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
-  command->add_flag("--no-energy", options->without_energy,
-                    "do not measure where the energy goes (a few percent faster)");
+  command->add_flag("--no-energy", options->without_energy, "do not measure where the energy goes (a sixth faster)");
   add_computing(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -1,6 +1,6 @@
 # One module of the house: target bitrock_<name>, alias bitrock::<name>, the warnings and floating-point rules of all.
 #
-#   bitrock_module(peaks SOURCES a.cpp b.cpp LINKS bitrock::base)
+#   bitrock_module(peaks SOURCES parts.cpp scan.cpp LINKS bitrock::base)
 #
 # -ffp-contract=off: a fused multiply-add rounds once instead of twice, so whether the compiler chose one would change
 # the last bit of a result between machines. Off everywhere: same input and seed, same bits.

@@ -8,11 +8,11 @@
 namespace report {
 
 /// `&`, `<`, `>`, `"` and `'` as character references: safe as HTML text, inside a quoted attribute, and in the plot
-/// library, which reads a few tags and the same references in its labels [HtmlStandard, sec. 13.3].
+/// library, which reads a few tags and the same references in its labels [HtmlStandard, on serialising HTML].
 std::string html_text(std::string_view text);
 
 /// JSON text whose `<`, `>` and `&` are written as \u escapes: still the same JSON, but no value in it can end the
-/// script element that carries it (`</script>`, `<!--`) [HtmlStandard, sec. 4.12.1.3].
+/// script element that carries it (`</script>`, `<!--`) [HtmlStandard, on the contents of script elements].
 std::string script_json(std::string_view json);
 
 /// Lower-case ASCII letters and digits, everything else one '-': a name for a file or an anchor. Never empty.

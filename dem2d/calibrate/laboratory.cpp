@@ -10,14 +10,11 @@
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
 #include "dem2d/lab/loading_rate.hpp"
-#include "dem2d/output/run_file.hpp"
+#include "dem2d/step/physics_version.hpp"
 
 namespace dem2d {
 
 namespace {
-
-// Raised by hand whenever a test of the same specimen would give another result: kept tests then count no more.
-constexpr int laboratory_version = 1;
 
 struct Job {
   LabTest test;

@@ -19,7 +19,7 @@
 /// second derivative; r [1]. Directions with P = 0 are straight, and do not count in |x_k - x_b|.
 ///
 /// **Source.** Regression in place of Broyden's update, because measurements with noise need averaging
-/// [ConnScheinbergVicente2009, chs. 2, 10 (not consulted)]; trust region as there. Own combination.
+/// [ConnScheinbergVicente2009]; trust region as there. Own combination.
 ///
 /// **Ends.** `reached`: the fitted value at x_b is within tolerance, and the measured one within tolerance or noise (a
 /// difference below the noise is not chased). `out_of_reach`: for some result the fitted lines come hardly nearer

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "dem2d/output/frame_file.hpp"
+#include "dem2d/step/physics_version.hpp"
 
 namespace dem2d {
 

@@ -11,10 +11,8 @@
 
 namespace dem2d {
 
-/// Raised by hand whenever a change of the engine changes forces: old runs and tests then no longer count as done.
-inline constexpr int physics_version = 4;
-
-/// Fingerprint of everything a run depends on: resolved case and rock, seed, and the version of the engine's physics.
+/// Fingerprint of everything a run depends on: resolved case and rock, seed, and the version of the engine's physics
+/// (step/physics_version.hpp).
 /// A run file with this hash need not be computed again.
 std::string cut_hash(const CutCase& cut, std::uint64_t seed);
 

@@ -1,7 +1,8 @@
 #pragma once
 /// The fracture picture of a cut as PNG: discs by fragment, cracks where their discs are, the cutter, a scale in
-/// millimetres; under it, on the same scale along the cut, the force history as in [BitRock2026, fig. 2]: the force
-/// stands below the place where the tip of the cutter was. Later than the instant of the picture, it is drawn pale.
+/// millimetres; under it, on the same scale along the cut, the force history as in fig. 2 of [BitRock2026], of which
+/// the text tells: the force stands below the place where the tip of the cutter was. Later than the instant of the
+/// picture, it is drawn pale.
 
 #include <string>
 

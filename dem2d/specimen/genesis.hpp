@@ -9,9 +9,8 @@
 ///    overlap is larger than a quarter of a diameter.
 /// 3. **Equilibrate** with strong local damping, roughly.
 /// 4. **Pressure**: all radii grow (or shrink) by one factor, and the packing comes to rest again, until its mean
-/// stress
-///    is within 1 % of the wanted pressure (packing_stress.hpp). Then it equilibrates until the mean unbalanced force
-///    is `equilibrium_ratio` of the mean contact force, and the pressure is looked at again.
+///    stress is within 1 % of the wanted pressure (packing_stress.hpp). Then it equilibrates until the mean unbalanced
+///    force is `equilibrium_ratio` of the mean contact force, and the pressure is looked at again.
 /// 5. **Join** every pair whose surfaces are closer than the installation gap. A flat joint is stress-free at the
 ///    distance at which it is installed, so the rock starts without locked-in stress, whatever the overlaps.
 ///

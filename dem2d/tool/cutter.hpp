@@ -7,7 +7,7 @@
 /// from cutting. The depth of cut is the height of the rock surface above the tip.
 ///
 /// Source of the geometry: back rake as in [DetournayDefourny1992]; four straight walls sized by cutter
-/// diameter and thickness as in [BitRock2026, fig. 1].
+/// diameter and thickness as the text of [BitRock2026] tells of its fig. 1.
 
 #include "dem2d/tool/convex_polygon.hpp"
 

@@ -20,8 +20,8 @@ namespace surrogate {
 /// **What** Layer k = 1..K maps a[k-1] to a[k]: rectified on the hidden layers, as `output` says on the last.
 /// **Equation** a[k] = max(0, W[k] a[k-1] + b[k]) for k < K, a[0] = input, a[K] = f(W[K] a[K-1] + b[K]) = output.
 /// **Symbols** W[k] (n[k] x n[k-1]), b[k] (n[k]), a[k] (n[k]), f the output activation; all dimensionless.
-/// **Source** [BitRock2026, sec. 3.2, fig. 3]: 3 inputs, hidden layers of 4, 6 and 3 nodes, 1 output, rectified
-/// linear units on all layers. [NairHinton2010] for the unit.
+/// **Source** [BitRock2026, sec. 3.2; its fig. 3 as told by the text]: 3 inputs, hidden layers of 4, 6 and 3 nodes, 1
+/// output, rectified linear units on all layers. [NairHinton2010] for the unit.
 /// **Validity** A rectified output is never negative, which fits amplitudes and counts; a network whose output unit is
 /// off for every input is dead (no gradient reaches its weights) and cannot recover.
 struct Network {
@@ -53,7 +53,7 @@ std::size_t layer_offset(std::span<const int> layers, int k);
 
 /// **What** Random start for rectified units: keeps the size of signals from layer to layer.
 /// **Equation** W[k] ~ N(0, 2 / n[k-1]), b[k] = 0.
-/// **Source** [HeEtAl2015, eq. 10]. The article does not name its initialiser; Keras' default differs (uniform,
+/// **Source** [HeEtAl2015]. The article does not name its initialiser; Keras' default differs (uniform,
 /// scaled for symmetric units).
 /// Sizes `parameters` to the layers; draws in the order of the flat vector. Throws `InputError` for layers that
 /// `layers_problem` refuses.

@@ -25,8 +25,9 @@ struct AdamState {
 /// **Equation** m <- m + (1 - beta1)(g - m),   v <- v + (1 - beta2)(g^2 - v),
 ///   alpha_t = alpha sqrt(1 - beta2^t) / (1 - beta1^t),   p <- p - alpha_t m / (sqrt(v) + epsilon_hat).
 /// **Symbols** p parameter, m and v running means, alpha learning rate; all dimensionless in scaled units.
-/// **Source** [KingmaBa2015, sec. 2, last lines before sec. 2.1], the form Keras computes (the article used Keras).
-/// **Differences** Algorithm 1 of the same paper divides by sqrt(v / (1 - beta2^t)) + epsilon. Both agree when
+/// **Source** [KingmaBa2015], its algorithm in the other order of computation, the form Keras computes (the article
+/// used Keras).
+/// **Differences** The paper's first form divides by sqrt(v / (1 - beta2^t)) + epsilon. Both agree when
 /// epsilon_hat = epsilon sqrt(1 - beta2^t): here epsilon stands outside the bias correction, so in the first steps it
 /// weighs up to 1/sqrt(1 - beta2) = 32 times more against the gradient than there.
 /// **Validity** A first step has length alpha |g| / (|g| + epsilon_hat / sqrt(1 - beta2)), whatever the scale of g.

@@ -30,7 +30,7 @@ struct GradientBuffers {
 ///   dL/dW[k]_ji = sum_b d[k]_bj a[k-1]_bi,   dL/db[k]_j = sum_b d[k]_bj,   r(z) = 1 for z > 0, else 0.
 /// **Symbols** B rows of the batch; n[k], W[k], b[k], a[k], f as in `Network`; t target; w weight of a row; all
 /// dimensionless.
-/// **Source** [RumelhartEtAl1986, eq. 3 to 7].
+/// **Source** [RumelhartEtAl1986].
 /// **Validity** Exact except at a kink z = 0, where the derivative does not exist and 0 is taken, as Keras does.
 /// Sums run in index order: the bits depend neither on vector width nor on thread count.
 ///

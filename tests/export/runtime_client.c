@@ -6,18 +6,19 @@
 
 #include "runtime/export/bitrock_runtime.h"
 
-#define CHECK(condition)                                              \
-  if (!(condition)) {                                                 \
+#define CHECK(condition)                                                  \
+  if (!(condition)) {                                                     \
     fprintf(stderr, "line %d: %s does not hold\n", __LINE__, #condition); \
-    return 1;                                                         \
+    return 1;                                                             \
   }
 
-/* One layer from three inputs to the output: weights, then the bias. Here every output is its bias, 1, times its scale. */
+/* One layer from three inputs to the output: weights, then the bias. Here every output is its bias, 1, times its scale.
+ */
 static const double parameters[4] = {0.0, 0.0, 0.0, 1.0};
 static const int32_t layers[2] = {3, 1};
 static const double answers[10] = {3e5, 1.1e5, 33, 101, 160, 2e5, 0.8e5, 25, 150, 90};
 
-static bitrock_description describe(const bitrock_cutter *cutters, int64_t count) {
+static bitrock_description describe(const bitrock_cutter* cutters, int64_t count) {
   bitrock_description description;
   int i;
   memset(&description, 0, sizeof description);

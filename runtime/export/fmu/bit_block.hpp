@@ -1,16 +1,18 @@
 #pragma once
 /// Bit, signal and model as one block of bytes: the file `resources/bit.block` of an FMU. Made of 64-bit words, lowest
 /// byte first, so that it can be read in place, without a parser, without the heap and on any system. Written by
-/// `write_bit_block.cpp`, read inside the FMU's library.
+/// fmu_file.cpp, read inside the FMU's library.
 ///
-/// | words | what |
-/// |---|---|
-/// | 4 | magic, format version, size [bytes], checksum: `base::fingerprint` of all that follows it |
-/// | 5 | guid of the FMU: characters, then zeros |
-/// | 7 | window angle [rad], pulse width factor, averaging time [s], threshold weight [N], combine, amplitude fit, seed
-/// | | 1 + 4 n | number of cutters n; for each: radius [m], width [m], back rake [rad], number | | 3 x 4 | inputs of
-/// the model: low, high, offset, scale | | 10 x | outputs: offset, scale, log_reference, activation, layer count,
-/// layers, then weights and biases |
+// clang-format off
+///     words      what
+///     4          magic, format version, size [bytes], checksum: `base::fingerprint` of all that follows it
+///     5          guid of the FMU: characters, then zeros
+///     7          window angle [rad], pulse width factor, averaging time [s], threshold weight [N], combine,
+///                amplitude fit, seed
+///     1 + 4 n    number of cutters n; for each: radius [m], width [m], back rake [rad], number
+///     3 x 4      inputs of the model: low, high, offset, scale
+///     10 x       outputs: offset, scale, log_reference, activation, layer count, layers, then weights and biases
+// clang-format on
 ///
 /// Symbols as in `bitrock_runtime.h`. A whole number is a word of its own; a real one is a double.
 

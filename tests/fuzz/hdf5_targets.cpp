@@ -1,0 +1,110 @@
+// Results in HDF5, as somebody who knows the checksum could make them.
+#include "base/files.hpp"
+#include "base/text.hpp"
+#include "dem2d/output/frame_file.hpp"
+#include "dem2d/output/run_file.hpp"
+#include "dem2d/specimen/specimen_file.hpp"
+#include "runtime/drillstring/drill_file.hpp"
+#include "runtime/drillstring/drill_run.hpp"
+#include "tests/fuzz/targets.hpp"
+#include "tests/scratch.hpp"
+#include "tests/unit/output_fixtures.hpp"
+
+namespace fuzz {
+
+namespace {
+
+constexpr std::string_view mark = "BITROCK:";
+constexpr std::size_t seal_length = 24;
+
+/// The file that `write` writes, without its seal.
+std::string unsealed(const std::function<void(const std::string& path)>& write) {
+  const scratch::Folder folder("fuzz_seed");
+  const std::string path = folder / "seed.h5";
+  write(path);
+  const std::string bytes = base::read_whole(path);
+  return bytes.substr(0, bytes.size() - seal_length);
+}
+
+/// With the seal that `Hdf5Writer` would give these bytes.
+std::string sealed(std::string_view bytes) {
+  return std::string(bytes) + std::string(mark) + base::fingerprint_text(bytes);
+}
+
+std::string specimen_seed() {
+  dem2d::Specimen specimen{.width = 5e-3, .height = 5e-3};
+  for (int k = 0; k < 16; ++k) {
+    specimen.x.push_back(1e-3 * (k % 4 + 1));
+    specimen.y.push_back(1e-3 * (k / 4 + 1));
+    specimen.radius.push_back(0.5e-3);
+  }
+  dem2d::join_neighbours(specimen);
+  return unsealed([&](const std::string& path) { dem2d::write_specimen(specimen, path); });
+}
+
+std::string run_seed(int frames) {
+  dem2d::RunFile run = output_fixtures::run();
+  run.cut.bed_length = run.cut.bed_height = 20e-3;
+  if (frames > 1) run.run.frames.insert(run.run.frames.begin(), output_fixtures::frame_at(2e-3, 2e-3));
+  return unsealed([&](const std::string& path) { dem2d::write_run(run.run, run.cut, 1, path); });
+}
+
+std::string drill_seed() {
+  base::ConfigFile file = base::ConfigFile::from_text(R"(name = "string"
+rock = "limestone"
+[[pipe]]
+length_m = 150
+outer_diameter_mm = 127
+inner_diameter_mm = 108.61
+[top_drive]
+rotation_rpm = 60
+hook_load_kN = 25
+[bit]
+friction_radius_mm = 80
+[excitation]
+source = "sinusoidal"
+force_mean_kN = 2
+force_deviation_kN = 0.5
+[run]
+duration_s = 1
+sample_ms = 10
+settling_s = 0.2
+)",
+                                                      "case.toml");
+  const runtime::DrillCase drill = runtime::read_drill_case(file);
+  const runtime::DrillRun run = runtime::run_drill(drill, runtime::assemble(drill), runtime::make_source(drill, {}));
+  return unsealed([&](const std::string& path) { runtime::write_drill_run(run, drill, "", path); });
+}
+
+}  // namespace
+
+std::vector<Target> hdf5_targets() {
+  return {
+      {.name = "specimen_h5",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(sealed(bytes), "specimen.h5", [](const std::string& path) { dem2d::read_specimen(path); });
+           },
+       .seeds = {specimen_seed()}},
+      {.name = "run_h5",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(sealed(bytes), "run.h5", [](const std::string& path) {
+               dem2d::read_run(path);
+               const base::Hdf5Reader file(path);
+               for (int frame = 0; frame < dem2d::count_frames(file) && frame < 4; ++frame) {
+                 dem2d::read_frame(file, frame);
+               }
+             });
+           },
+       .seeds = {run_seed(1), run_seed(2)}},
+      {.name = "drill_h5",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(sealed(bytes), "drill.h5", [](const std::string& path) { runtime::read_drill_run(path); });
+           },
+       .seeds = {drill_seed()}},
+  };
+}
+
+}  // namespace fuzz

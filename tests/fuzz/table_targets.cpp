@@ -1,0 +1,111 @@
+// Tables, the model file, and ranges in flags.
+#include "base/csv.hpp"
+#include "campaigns/accepted.hpp"
+#include "campaigns/features.hpp"
+#include "cli/ranges.hpp"
+#include "dem2d/calibrate/journal.hpp"
+#include "dem2d/specimen/discs_file.hpp"
+#include "peaks/parts.hpp"
+#include "peaks/statistics.hpp"
+#include "surrogate/net/model_file.hpp"
+#include "surrogate/train/data.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace fuzz {
+
+namespace {
+
+/// The header and the first rows.
+std::string head_of(const std::string& text, int lines) {
+  std::size_t end = 0;
+  for (int line = 0; line < lines; ++line) end = text.find('\n', end) + 1;
+  return text.substr(0, end);
+}
+
+std::string square_of_discs() {
+  std::string table = "x_m,y_m,radius_m\n";
+  for (int k = 0; k < 16; ++k) {
+    table += std::to_string(1e-3 * (k % 4)) + "," + std::to_string(1e-3 * (k / 4)) + ",0.0005\n";
+  }
+  return table;
+}
+
+std::string journal() {
+  return "inputs,test,seed,effective_modulus_Pa,stiffness_ratio,tensile_strength_Pa,cohesion_Pa,friction,peak_stress_"
+         "Pa,"
+         "youngs_modulus_Pa,poissons_ratio,wall_s\n4503599627370495,0,1,1.4e9,3.5,12e6,60e6,0.577,7e7,1.5e9,0.23,2\n";
+}
+
+}  // namespace
+
+std::vector<Target> table_targets() {
+  return {
+      {.name = "csv",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(bytes, "any.csv", [](const std::string& path) {
+               base::read_csv(path, true, {"hash"});
+               base::read_csv(path);
+             });
+           },
+       .seeds = {"a,b\n1,2\n# comment\n3,-4e5\n"}},
+      {.name = "history_csv",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(bytes, "history.csv", [](const std::string& path) {
+               const base::CsvTable table = base::read_csv(path, true);
+               for (const std::vector<double>& column : table.columns) peaks::peak_statistics(column);
+             });
+           },
+       .seeds = {"time_s,force_N\n0,0\n0.1,5\n0.2,1\n0.3,7\n0.4,nan\n0.5,0\n"}},
+      {.name = "features_csv",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(bytes, "features.csv", [](const std::string& path) { campaigns::read_features(path); });
+           },
+       .seeds = {head_of(shipped("campaigns/paper240/features.csv"), 8)}},
+      {.name = "training_csv",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(bytes, "training.csv",
+                          [](const std::string& path) { surrogate::averaged(surrogate::read_training_data(path)); });
+           },
+       .seeds = {head_of(shipped("campaigns/paper240/features.csv"), 8),
+                 head_of(shipped("campaigns/paper240/features_mean.csv"), 4)}},
+      {.name = "discs_csv",
+       .read =
+           [](std::string_view bytes) {
+             static const dem2d::Rock rock;
+             read_as_file(bytes, "discs.csv", [](const std::string& path) {
+               dem2d::specimen_from_discs(path, rock, 1);
+               dem2d::specimen_from_discs(path, rock, 1, dem2d::BoxSize{10e-3, 10e-3});
+             });
+           },
+       .seeds = {square_of_discs()}},
+      {.name = "journal_csv",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(bytes, "rock.toml.journal.csv",
+                          [](const std::string& path) { dem2d::Journal(path, "inputs of a test"); });
+           },
+       .seeds = {journal()}},
+      {.name = "model_json",
+       .read =
+           [](std::string_view bytes) {
+             const surrogate::Model model = surrogate::model_from_text(bytes, "model.json");
+             surrogate::model_from_text(surrogate::model_text(model), "what was written");
+             surrogate::predict(model, {});
+           },
+       .seeds = {shipped("campaigns/paper240/model.json")}},
+      {.name = "ranges",
+       .read =
+           [](std::string_view bytes) {
+             const std::string text(bytes);
+             cli::value_range("--flag", text, 0.0, 1e6);
+             if (text.find('.') == std::string::npos) cli::seed_range("--seeds", text);
+           },
+       .seeds = {"0.5:38:12", "7.5"}},
+  };
+}
+
+}  // namespace fuzz
