@@ -64,7 +64,6 @@ void warn_of_another_program(const Options& options, const base::Hdf5Reader& fil
 
 void run(const Options& options) {
   const base::Hdf5Reader file(options.result_file);
-  file.require_checksum();
   const Again how = again(file);
   require_outputs(options.common, {options.result_file}, {options.output});
   warn_of_another_program(options, file);
