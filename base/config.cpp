@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/encoding.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
@@ -139,6 +140,7 @@ void refuse_long_lines(std::string_view text, const std::string& name) {
 }  // namespace
 
 ConfigFile ConfigFile::from_text(std::string_view text, const std::string& name) {
+  require_utf8(text, name);
   refuse_long_lines(text, name);
   auto state = std::make_unique<State>();
   state->name = name;

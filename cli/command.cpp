@@ -1,10 +1,11 @@
 #include "cli/command.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <thread>
 
 #include "base/files.hpp"
+#include "base/number.hpp"
 
 namespace cli {
 
@@ -32,9 +33,8 @@ void require_outputs(const CommonOptions& options, const std::vector<std::filesy
 namespace {
 
 std::string check_number(const std::string& text, bool positive) {
-  double value = 0.0;
-  const bool good =
-      !text.empty() && CLI::detail::lexical_cast(text, value) && std::isfinite(value) && (!positive || value > 0.0);
+  const std::optional<double> value = base::number_in(text);
+  const bool good = value && (!positive || *value > 0.0);
   return good ? "" : fmt::format("'{}' (must be a finite number{})", text, positive ? " above 0" : "");
 }
 

@@ -11,6 +11,7 @@
 #include "base/stop.hpp"
 #include "base/version.hpp"
 #include "cli/command.hpp"
+#include "cli/strict_numbers.hpp"
 
 namespace {
 
@@ -68,6 +69,7 @@ int main(int argc, char** argv) {
   cli::add_snapshot(app);
   cli::add_animate(app);
   cli::add_export(app);
+  cli::read_numbers_strictly(app);
 
   try {
     app.parse(argc, argv);

@@ -33,9 +33,10 @@ void check_row(const base::CsvTable& table, std::size_t row) {
   const auto require = [&](std::size_t column, bool good, const char* allowed) {
     if (good) return;
     throw base::InputError(fmt::format("{}:{}: {} = {} (must be {}; mend or remove the row)", table.source,
-                                       table.lines[row], column_names[column], table.columns[column][row], allowed));
+                                       table.lines[row], column_names[column], table.column(column_names[column])[row],
+                                       allowed));
   };
-  const auto cell = [&](std::size_t column) { return table.columns[column][row]; };
+  const auto cell = [&](std::size_t column) { return table.column(column_names[column])[row]; };
   const double test = cell(1), seed = cell(2);
   require(1, test == static_cast<double>(LabTest::ucs) || test == static_cast<double>(LabTest::tension), "0 or 1");
   require(2, seed >= 0.0 && seed <= std::numeric_limits<int>::max() && seed == std::floor(seed),
@@ -55,7 +56,7 @@ Journal::Journal(std::filesystem::path path, const std::string& inputs)
   }
   for (std::size_t i = 0; i < table.rows(); ++i) {
     check_row(table, i);
-    const auto cell = [&](std::size_t column) { return table.columns[column][i]; };
+    const auto cell = [&](std::size_t column) { return table.column(column_names[column])[i]; };
     Row row{.inputs = cell(0), .record = {.test = static_cast<LabTest>(cell(1)), .seed = static_cast<int>(cell(2))}};
     for (std::size_t j = 0; j < row.record.micro.size(); ++j) row.record.micro[j] = cell(micro_begin + j);
     row.record.peak_stress = cell(results_begin);

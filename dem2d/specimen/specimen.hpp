@@ -46,4 +46,16 @@ double coordination_number(const Specimen& specimen);
 /// Discs with fewer than three joints, too few to be held firmly [PotyondyCundall2004].
 int floaters(const Specimen& specimen);
 
+/// Discs that joints hold together, however far apart they are along them.
+struct Pieces {
+  int count = 0;             ///< of two discs and more
+  std::size_t largest = 0;   ///< discs in the largest
+  std::size_t unjoined = 0;  ///< discs without any joint
+};
+
+Pieces pieces(const Specimen& specimen);
+
+/// In words, when the specimen is not one piece; empty when it is, but for the few discs that packing leaves loose.
+std::string falls_apart(const Specimen& specimen);
+
 }  // namespace dem2d
