@@ -10,8 +10,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/encoding.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/unit_hint.hpp"
 
@@ -105,7 +107,7 @@ std::string exact_text(double value, double si_per_unit) {
   const double in_file = value / si_per_unit;
   for (const int digits : {15, 16, 17}) {
     const std::string text = fmt::format("{:.{}g}", in_file, digits);
-    if (std::strtod(text.c_str(), nullptr) * si_per_unit == value) return text;
+    if (number_in(text).value() * si_per_unit == value) return text;
   }
   for (const double towards : {-HUGE_VAL, HUGE_VAL}) {  // division and multiplication round once each
     const double beside = std::nextafter(in_file, towards);
@@ -178,6 +180,7 @@ void refuse_long_lines(std::string_view text, const std::string& name) {
 }  // namespace
 
 ConfigFile ConfigFile::from_text(std::string_view text, const std::string& name) {
+  require_utf8(text, name);
   refuse_long_lines(text, name);
   auto state = std::make_unique<State>();
   state->name = name;

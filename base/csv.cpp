@@ -3,56 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <string_view>
 
+#include "base/csv_rows.hpp"
+#include "base/encoding.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 
 namespace base {
-
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == '"')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r' || text.back() == '"')) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
-void split(std::string_view line, std::vector<std::string_view>& cells) {
-  cells.clear();
-  for (;;) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-bool is_number(std::string_view text, double& value) {
-  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
-  const std::string_view digits = plus ? text.substr(1) : text;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return error == std::errc() && end == digits.data() + digits.size();
-}
-
-/// `where` makes the text that says where the cell is: only called for a message, because it costs more than the
-/// number.
-template <class Where>
-double parse_number(std::string_view text, bool allow_not_finite, const Where& where) {
-  double value = 0.0;
-  if (!is_number(text, value)) throw InputError(fmt::format("{}: '{}' is not a number", where(), text));
-  if (!allow_not_finite && !std::isfinite(value)) {
-    throw InputError(fmt::format("{}: {} (only finite numbers are allowed)", where(), text));
-  }
-  return value;
-}
-
-}  // namespace
 
 bool CsvTable::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -62,52 +22,99 @@ const std::vector<double>& CsvTable::column(const std::string& name) const {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     const std::string nearest = nearest_name(name, names);
-    throw InputError(fmt::format("{}: column {} is missing ({})", source, name,
-                                 nearest.empty() ? fmt::format("the file has: {}", fmt::join(names, ", "))
-                                                 : "the nearest one there is " + nearest));
+    throw InputError(
+        fmt::format("{}: column {} is missing ({})", source, name,
+                    nearest.empty() ? "the file has: " + listed(names) : "the nearest one there is " + nearest));
   }
-  return columns[static_cast<std::size_t>(found - names.begin())];
+  const auto place = static_cast<std::size_t>(found - names.begin());
+  if (!problems[place].empty()) throw InputError(problems[place]);
+  return columns[place];
 }
 
 namespace {
 
 /// Where the cells of one column of the file go.
 struct Column {
-  std::string name;
+  std::string name;  ///< empty: nowhere
   bool is_text = false;
   std::size_t number = 0;  ///< among the columns of numbers
 };
 
 /// What is no header of a comma-separated table, though it would pass for one.
-void refuse_header(const std::vector<std::string_view>& cells, const std::string& where) {
-  const bool other_separator = cells.size() == 1 && cells[0].find_first_of(";\t") != std::string_view::npos;
-  if (other_separator) {
-    throw InputError(fmt::format("{}: one column, '{}' (columns are separated by commas)", where, cells[0]));
-  }
-  double value = 0.0;
-  const auto number =
-      std::find_if(cells.begin(), cells.end(), [&value](std::string_view cell) { return is_number(cell, value); });
-  if (number != cells.end()) {
-    throw InputError(fmt::format("{}: '{}' in the header (the first line gives the columns' names)", where, *number));
+void refuse_header(const std::vector<CsvCell>& cells, const CsvRows& rows, const std::string& where) {
+  for (const CsvCell& cell : cells) {
+    if (!cell.quoted && cell.text.find_first_of(";\t") != std::string_view::npos) {
+      throw InputError(fmt::format("{}: '{}' in the header (columns are separated by commas; numbers have a point)",
+                                   where, cell.text));
+    }
+    if (number_in(cell.text)) {
+      const char* hidden = rows.skipped_comment() ? "; a line that begins with # is a comment" : "";
+      throw InputError(
+          fmt::format("{}: '{}' in the header (the first line gives the columns' names{})", where, cell.text, hidden));
+    }
   }
 }
 
-std::vector<Column> read_header(const std::vector<std::string_view>& cells, int line,
+std::vector<Column> read_header(const std::vector<CsvCell>& cells, const CsvRows& rows,
                                 const std::vector<std::string>& text_columns, CsvTable& table) {
+  const std::string where = fmt::format("{}:{}", table.source, rows.line());
+  refuse_header(cells, rows, where);
   std::vector<Column> columns;
-  refuse_header(cells, fmt::format("{}:{}", table.source, line));
-  for (const std::string_view cell : cells) {
-    Column column{.name = std::string(cell), .number = table.names.size()};
-    if (std::count(cells.begin(), cells.end(), cell) > 1) {
-      throw InputError(fmt::format("{}:{}: column '{}' appears twice", table.source, line, cell));
-    }
+  for (const CsvCell& cell : cells) {
+    Column column{.name = std::string(cell.text), .number = table.names.size()};
+    const auto same = [&cell](const CsvCell& other) { return other.text == cell.text; };
+    const bool twice = std::count_if(cells.begin(), cells.end(), same) > 1;
+    const std::string problem = twice ? fmt::format("{}: column '{}' appears twice", where, cell.text) : "";
     column.is_text = std::find(text_columns.begin(), text_columns.end(), column.name) != text_columns.end();
+    if (column.is_text && twice) throw InputError(problem);
     if (column.is_text) table.texts[column.name];
-    if (!column.is_text) table.names.push_back(column.name);
+    if (!column.is_text && !column.name.empty()) {
+      table.names.push_back(column.name);
+      table.problems.push_back(problem);
+    }
     columns.push_back(std::move(column));
   }
+  while (!columns.empty() && columns.back().name.empty()) columns.pop_back();
+  if (columns.empty()) throw InputError(fmt::format("{}: a header without names", where));
   table.columns.resize(table.names.size());
   return columns;
+}
+
+/// Behind the last column with a name there may only be empty cells.
+void require_length(std::vector<CsvCell>& cells, std::size_t columns, const CsvTable& table, int line) {
+  while (cells.size() > columns && cells.back().text.empty()) cells.pop_back();
+  if (cells.size() == columns) return;
+  throw InputError(
+      fmt::format("{}:{}: {} values (the header has {} columns)", table.source, line, cells.size(), columns));
+}
+
+void add_number(const CsvCell& cell, const Column& column, bool allow_not_finite, int line, CsvTable& table) {
+  std::string& problem = table.problems[column.number];
+  if (!problem.empty()) return;
+  const std::optional<double> value = allow_not_finite ? number_or_not_finite_in(cell.text) : number_in(cell.text);
+  if (value) {
+    table.columns[column.number].push_back(*value);
+    return;
+  }
+  problem = fmt::format("{}:{}: column {}: {}", table.source, line, column.name, why_no_number(cell.text));
+  table.columns[column.number] = {};
+}
+
+void add_row(const std::vector<CsvCell>& cells, const std::vector<Column>& columns, bool allow_not_finite, int line,
+             CsvTable& table) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Column& column = columns[i];
+    if (column.is_text) {
+      table.texts[column.name].emplace_back(cells[i].text);
+    } else if (!column.name.empty()) {
+      add_number(cells[i], column, allow_not_finite, line, table);
+    }
+  }
+  table.lines.push_back(line);
+}
+
+bool all_empty(const std::vector<CsvCell>& cells) {
+  return std::all_of(cells.begin(), cells.end(), [](const CsvCell& cell) { return cell.text.empty(); });
 }
 
 }  // namespace
@@ -117,38 +124,28 @@ CsvTable read_csv(const std::filesystem::path& path, bool allow_not_finite,
   const std::string content = read_whole(path);
   CsvTable table;
   table.source = path.string();
-  std::vector<Column> columns;
-  std::vector<std::string_view> cells;
-  std::string_view rest = content;
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // some spreadsheets put it first
-  if (rest.substr(0, byte_order_mark.size()) == byte_order_mark) rest.remove_prefix(byte_order_mark.size());
-  for (int line_number = 1; !rest.empty(); ++line_number) {
-    const std::size_t newline = rest.find('\n');
-    const std::string_view line = trimmed(rest.substr(0, newline));
-    rest.remove_prefix(newline == std::string_view::npos ? rest.size() : newline + 1);
-    if (line.empty() || line.front() == '#') continue;
-    split(line, cells);
-    if (columns.empty()) {
-      columns = read_header(cells, line_number, text_columns, table);
+  require_utf8(content, table.source);
+  CsvRows rows(without_byte_order_mark(content), table.source);
+  std::vector<CsvCell> cells;
+  if (!rows.next(cells)) {
+    throw InputError(fmt::format("{}: empty (a header line and rows are needed)", table.source));
+  }
+  const std::vector<Column> columns = read_header(cells, rows, text_columns, table);
+  const bool numbers_only = table.names.size() == columns.size();
+  std::vector<double> numbers(numbers_only ? columns.size() : 0);
+  for (;;) {
+    if (numbers_only && rows.next_numbers(numbers)) {
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (table.problems[i].empty()) table.columns[i].push_back(numbers[i]);
+      }
+      table.lines.push_back(rows.line());
       continue;
     }
-    if (cells.size() != columns.size()) {
-      throw InputError(fmt::format("{}:{}: {} values (the header has {} columns)", table.source, line_number,
-                                   cells.size(), columns.size()));
-    }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const Column& column = columns[i];
-      if (column.is_text) {
-        table.texts[column.name].emplace_back(cells[i]);
-        continue;
-      }
-      table.columns[column.number].push_back(parse_number(cells[i], allow_not_finite, [&] {
-        return fmt::format("{}:{}: column {}", table.source, line_number, column.name);
-      }));
-    }
-    table.lines.push_back(line_number);
+    if (!rows.next(cells)) break;
+    if (all_empty(cells)) continue;
+    require_length(cells, columns.size(), table, rows.line());
+    add_row(cells, columns, allow_not_finite, rows.line(), table);
   }
-  if (columns.empty()) throw InputError(fmt::format("{}: empty (a header line and rows are needed)", table.source));
   if (table.lines.empty())
     throw InputError(fmt::format("{}: only a header (at least one row is needed)", table.source));
   return table;
@@ -164,10 +161,24 @@ std::string csv_line(const std::vector<std::vector<double>>& columns, std::size_
   return line;
 }
 
+std::vector<std::string> cells_of(const std::vector<std::string>& names) {
+  std::vector<std::string> cells;
+  for (const std::string& name : names) cells.push_back(csv_cell(name));
+  return cells;
+}
+
+std::string csv_header(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(cells_of(names), ","));
+}
+
 }  // namespace
 
+std::string listed(const std::vector<std::string>& names) {
+  return fmt::format("{}", fmt::join(cells_of(names), ", "));
+}
+
 std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& columns) {
-  std::string text = fmt::format("{}\n", fmt::join(names, ","));
+  std::string text = csv_header(names) + '\n';
   const std::size_t rows = columns.empty() ? 0 : columns.front().size();
   for (std::size_t row = 0; row < rows; ++row) text += csv_line(columns, row) + '\n';
   return text;
@@ -175,8 +186,10 @@ std::string csv_text(const std::vector<std::string>& names, const std::vector<st
 
 std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& columns,
                      const std::string& text_name, const std::vector<std::string>& texts) {
-  std::string text = fmt::format("{},{}\n", fmt::join(names, ","), text_name);
-  for (std::size_t row = 0; row < texts.size(); ++row) text += csv_line(columns, row) + ',' + texts[row] + '\n';
+  std::string text = csv_header(names) + ',' + csv_cell(text_name) + '\n';
+  for (std::size_t row = 0; row < texts.size(); ++row) {
+    text += csv_line(columns, row) + ',' + csv_cell(texts[row]) + '\n';
+  }
   return text;
 }
 

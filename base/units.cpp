@@ -1,13 +1,11 @@
 #include "base/units.hpp"
 
-#include <fmt/format.h>
-
-#include <string>
+#include "base/number.hpp"
 
 namespace base {
 
 double in_units(double si, double unit) {
-  return std::stod(fmt::format("{:.12g}", si / unit));
+  return rounded_to_digits(si / unit, 12);
 }
 
 }  // namespace base

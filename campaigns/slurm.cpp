@@ -9,6 +9,7 @@
 #include "base/child_process.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/number.hpp"
 #include "base/progress.hpp"
 
 namespace campaigns {
@@ -61,12 +62,12 @@ double seconds_of(const std::string& time_limit) {
   double days = 0.0, seconds = 0.0;
   std::string clock = time_limit;
   if (const std::size_t dash = clock.find('-'); dash != std::string::npos) {
-    days = std::stod(clock.substr(0, dash));
+    days = base::number_in(clock.substr(0, dash)).value();
     clock.erase(0, dash + 1);
   }
   for (std::size_t at = 0; at < clock.size();) {
     const std::size_t end = std::min(clock.find(':', at), clock.size());
-    seconds = 60.0 * seconds + std::stod(clock.substr(at, end - at));
+    seconds = 60.0 * seconds + base::number_in(clock.substr(at, end - at)).value();
     at = end + 1;
   }
   seconds += 86400.0 * days;

@@ -10,6 +10,7 @@
 #include "campaigns/collect.hpp"
 #include "campaigns/plan.hpp"
 #include "campaigns/runner.hpp"
+#include "cli/ranges.hpp"
 
 namespace cli {
 
@@ -31,10 +32,12 @@ nlohmann::json or_null(const std::optional<double>& value) {
 
 /// "i/n" with 1 <= i <= n.
 void parse_shard(const std::string& text, campaigns::RunOptions& run) {
-  int used = 0;
-  const bool good = std::sscanf(text.c_str(), "%6d/%6d%n", &run.shard, &run.shards, &used) == 2 &&
-                    used == static_cast<int>(text.size()) && run.shard >= 1 && run.shard <= run.shards;
-  if (!good) throw base::InputError(fmt::format("--shard {} (write i/n with 1 <= i <= n, e.g. 2/8)", text));
+  const auto numbers = two_counts(text, '/');
+  if (!numbers || (*numbers)[0] < 1 || (*numbers)[0] > (*numbers)[1]) {
+    throw base::InputError(fmt::format("--shard {} (write i/n with 1 <= i <= n, e.g. 2/8)", text));
+  }
+  run.shard = (*numbers)[0];
+  run.shards = (*numbers)[1];
 }
 
 std::string described(const campaigns::Job& job) {

@@ -1,9 +1,11 @@
 #include "cli/command.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <thread>
 
 #include "base/files.hpp"
+#include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "base/unit_hint.hpp"
 
@@ -32,11 +34,10 @@ void require_outputs(const CommonOptions& options, const std::vector<std::filesy
 
 CLI::Validator within(const std::string& flag, const base::Range& allowed) {
   return {[flag, allowed](std::string& text) {
-            double value = 0.0;
-            if (text.empty() || !CLI::detail::lexical_cast(text, value))
-              return fmt::format("'{}' is not a number", text);
-            return allowed.contains(value) ? std::string()
-                                           : fmt::format("'{}' ({})", text, base::out_of_range(flag, value, allowed));
+            const std::optional<double> value = base::number_in(text);
+            if (!value) return fmt::format("'{}' is not a number", text);
+            return allowed.contains(*value) ? std::string()
+                                            : fmt::format("'{}' ({})", text, base::out_of_range(flag, *value, allowed));
           },
           "NUMBER " + allowed.text(), "within"};
 }

@@ -12,6 +12,7 @@
 #include "base/version.hpp"
 #include "cli/command.hpp"
 #include "cli/shipped.hpp"
+#include "cli/strict_numbers.hpp"
 
 namespace {
 
@@ -70,6 +71,7 @@ int main(int argc, char** argv) {
   cli::add_animate(app);
   cli::add_export(app);
   cli::let_shipped_files_be_named(app);
+  cli::read_numbers_strictly(app);
 
   try {
     app.parse(argc, argv);

@@ -9,6 +9,7 @@
 #include "cli/parity_figures.hpp"
 #include "cli/report_parts.hpp"
 #include "surrogate/net/model_file.hpp"
+#include "surrogate/train/data_warnings.hpp"
 
 namespace cli {
 
@@ -86,7 +87,8 @@ void say_table(const CommonOptions& options, const surrogate::Parity& parity) {
   }
 }
 
-void warn_of_data(const Options& options, const surrogate::Parity& parity) {
+void warn_of_data(const Options& options, const surrogate::TrainingData& data, const surrogate::Parity& parity) {
+  for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
   if (!parity.same_data && !options.unseen) {
     warn(options.common,
          fmt::format("{} is not the file the model learnt from; cases of the same number are taken for the same cases "
@@ -131,7 +133,7 @@ void run(const Options& options) {
   require_outputs(options.common, {options.model_file, options.data_file}, outputs);
 
   say_table(options.common, parity);
-  warn_of_data(options, parity);
+  warn_of_data(options, data, parity);
   if (!options.report_file.empty()) write_page(options, model, parity);
   if (!figures.empty()) write_figures(options.common, options.figures, figures);
   nlohmann::json result;

@@ -18,17 +18,22 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string file, column;
+  std::string file, column, time;
   int parts = 4;
 };
 
 struct History {
   std::string column;
-  std::vector<double> time;  ///< empty when the file has none
+  std::string time_column;  ///< empty when there is none
+  std::vector<double> time;
   std::vector<double> force;
+  std::vector<std::string> other_columns;  ///< of a CSV: beside force and time
 };
 
 History from_hdf5(const Options& options) {
+  if (!options.time.empty()) {
+    throw base::InputError(fmt::format("--time {} (a run file has its own times; --time is for CSV)", options.time));
+  }
   const base::Hdf5Reader file(options.file);
   History history;
   history.column = options.column.empty() ? "x_N_per_m" : options.column;
@@ -37,31 +42,63 @@ History from_hdf5(const Options& options) {
     throw base::InputError(fmt::format("{}: no {} (a run has x_N_per_m and y_N_per_m)", options.file, history.column));
   }
   history.force = file.doubles(path);
-  if (file.has("/force/time_s")) history.time = file.doubles("/force/time_s");
+  if (file.has("/force/time_s")) {
+    history.time_column = "time_s";
+    history.time = file.doubles("/force/time_s");
+  }
   return history;
+}
+
+/// Times are in seconds. A column whose name ends in another unit of time is not taken for them.
+void require_seconds(const std::string& column) {
+  const std::string name =
+      column.ends_with(')') || column.ends_with(']') ? column.substr(0, column.size() - 1) : column;
+  for (const char* unit : {"ms", "us", "\xc2\xb5s", "\xce\xbcs", "ns", "min", "h", "msec", "minutes", "hours"}) {
+    for (const char* before : {"_", " ", "(", "["}) {
+      if (!name.ends_with(std::string(before) + unit)) continue;
+      throw base::InputError(
+          fmt::format("--time '{}' (a time must be in seconds; this one seems to be in {})", column, unit));
+    }
+  }
+}
+
+/// The force that is asked for, or the only one that there is.
+std::string force_column(const base::CsvTable& table, const Options& options, const std::string& time) {
+  if (!options.column.empty()) return options.column;
+  std::vector<std::string> forces;
+  for (const std::string& name : table.names) {
+    if (name != time) forces.push_back(name);
+  }
+  if (forces.size() == 1) return forces.front();
+  throw base::InputError(fmt::format("{}: which column? (choose with --column: {})", options.file,
+                                     forces.empty() ? "there is none beside the time" : base::listed(forces)));
 }
 
 History from_csv(const Options& options) {
   const base::CsvTable table = base::read_csv(options.file, true);  // a NaN is a sample that is missing
-  History history;
-  history.column = options.column;
-  if (history.column.empty()) {
-    std::vector<std::string> forces;
-    for (const std::string& name : table.names) {
-      if (name != "time_s") forces.push_back(name);
-    }
-    if (forces.size() != 1) {
-      throw base::InputError(
-          fmt::format("{}: which column? (choose with --column: {})", options.file, fmt::join(forces, ", ")));
-    }
-    history.column = forces.front();
-  }
-  if (!table.has(history.column)) {
+  const auto require = [&](const char* what, const std::string& name) {
+    if (table.has(name)) return;
     throw base::InputError(
-        fmt::format("{}: no column {} (there are: {})", options.file, history.column, fmt::join(table.names, ", ")));
+        fmt::format("{}: no {} {} (there are: {})", options.file, what, name, base::listed(table.names)));
+  };
+  History history;
+  if (!options.time.empty()) {
+    require("time column", options.time);
+    require_seconds(options.time);
+    history.time_column = options.time;
+  } else if (table.has("time_s")) {
+    history.time_column = "time_s";
+  }
+  history.column = force_column(table, options, history.time_column);
+  require("column", history.column);
+  if (history.column == history.time_column) {
+    throw base::InputError(fmt::format("--column and --time are both {} (must be two columns)", history.column));
   }
   history.force = table.column(history.column);
-  if (table.has("time_s")) history.time = table.column("time_s");
+  if (!history.time_column.empty()) history.time = table.column(history.time_column);
+  for (const std::string& name : table.names) {
+    if (name != history.column && name != history.time_column) history.other_columns.push_back(name);
+  }
   return history;
 }
 
@@ -74,15 +111,17 @@ void require_good_time(const History& history, const std::string& file) {
   }
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (!std::isfinite(time[i])) {
-      throw base::InputError(fmt::format("{}: time_s of sample {} is {} (must be a finite number)", file, i, time[i]));
+      throw base::InputError(
+          fmt::format("{}: {} of sample {} is {} (must be a finite number)", file, history.time_column, i, time[i]));
     }
     if (i > 0 && time[i] < time[i - 1]) {
-      throw base::InputError(
-          fmt::format("{}: time_s falls from {} to {} at sample {} (must rise)", file, time[i - 1], time[i], i));
+      throw base::InputError(fmt::format("{}: {} falls from {} to {} at sample {} (must rise)", file,
+                                         history.time_column, time[i - 1], time[i], i));
     }
   }
   if (time.size() > 1 && !(time.back() > time.front())) {
-    throw base::InputError(fmt::format("{}: time_s is {} in all samples (must rise)", file, time.front()));
+    throw base::InputError(
+        fmt::format("{}: {} is {} in all samples (must rise)", file, history.time_column, time.front()));
   }
 }
 
@@ -184,11 +223,17 @@ Findings find(const History& history, int parts) {
   return findings;
 }
 
+/// What stands for the times when no column gives them.
+constexpr const char* without_times = "samples are taken for evenly spaced, and lengths are in samples";
+
 void print(const Options& options, const History& history, const Findings& found) {
   const std::string unit = unit_of(history.column);
   const peaks::PeakStatistics& s = found.all;
-  say(options.common, "{} of {}: {} samples, {} peaks\nA_max {:.6g}{}, A_mean {:.6g}{}, NP1 {}, NP23 {}, NP4 {}\n",
-      history.column, options.file, history.force.size(), s.count(), s.amax, unit, s.amean, unit, s.np1, s.np23, s.np4);
+  say(options.common, "{} of {}: {} samples, {} peaks; {}\nA_max {:.6g}{}, A_mean {:.6g}{}, NP1 {}, NP23 {}, NP4 {}\n",
+      history.column, options.file, history.force.size(), s.count(),
+      history.time_column.empty() ? std::string("no times: ") + without_times
+                                  : fmt::format("times [s] from {}", history.time_column),
+      s.amax, unit, s.amean, unit, s.np1, s.np23, s.np4);
   const std::string length = history.time.size() > 1 ? fmt::format("{:.4g} ms", 1e3 * found.mean_period)
                                                      : fmt::format("{:.4g} samples", found.zero.mean_period());
   say(options.common,
@@ -210,13 +255,18 @@ void warn_about(const Options& options, const History& history, const Findings& 
                      "rock are positive here; is the sign of this column the other way round?",
                      history.column, found.mean, unit_of(history.column)));
   }
+  if (history.time_column.empty() && !history.other_columns.empty()) {
+    warn(options.common, fmt::format("no column time_s: {} (name the times with --time; there are: {})", without_times,
+                                     base::listed(history.other_columns)));
+  }
   for (const auto& [what, count] : {std::pair{"not numbers", found.not_a_number}, {"infinite", found.infinite}}) {
     if (count == 0) continue;
     warn(options.common,
          fmt::format("samples that are {}: {} (neither they nor their neighbours are counted as peaks)", what, count));
   }
   if (!found.even) {
-    warn(options.common, "time_s is not evenly spaced: zero-force shares are of samples, not of time");
+    warn(options.common,
+         fmt::format("{} is not evenly spaced: zero-force shares are of samples, not of time", history.time_column));
   }
 }
 
@@ -232,6 +282,7 @@ void run(const Options& options) {
   const bool timed = history.time.size() > 1;
   nlohmann::json result = numbers(found.all);
   result.update({{"column", history.column},
+                 {"time_column", history.time_column.empty() ? nlohmann::json() : nlohmann::json(history.time_column)},
                  {"samples", history.force.size()},
                  {"not_a_number", found.not_a_number},
                  {"infinite", found.infinite},
@@ -256,6 +307,8 @@ void add_peaks(CLI::App& app) {
   command->add_option("file", options->file, "run.h5, or a CSV with a header")->required();
   command->add_option("--column", options->column,
                       "which force (default: x_N_per_m, or the only CSV column beside time_s)");
+  command->add_option("--time", options->time, "which CSV column holds the times, in seconds (default: time_s)")
+      ->check(not_empty());
   command->add_option("--parts", options->parts, "equal parts of the window in which peaks are also counted")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();

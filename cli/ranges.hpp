@@ -1,10 +1,16 @@
 #pragma once
 /// Several values in one flag: "first:last" for seeds, "lowest:highest:count" for numbers.
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cli {
+
+/// The two whole numbers, from 0 on, that stand on both sides of the separator; nothing when the text is anything else.
+std::optional<std::array<int, 2>> two_counts(std::string_view text, char separator);
 
 /// first, first + 1, ..., last; at most 1000 of them, from 0 on. Throws `InputError` that names the flag.
 std::vector<int> seed_range(const std::string& flag, const std::string& text);

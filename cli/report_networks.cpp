@@ -8,6 +8,7 @@
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/json.hpp"
 #include "base/statistics.hpp"
 #include "cli/report_parts.hpp"
 
@@ -78,7 +79,7 @@ void add_bit_force(report::Page& page, const std::filesystem::path& csv, const s
   std::string what = "whole bit";
   if (!json.empty() && base::is_there(json)) {
     try {
-      const nlohmann::json result = nlohmann::json::parse(base::read_whole(json));
+      const nlohmann::json result = base::json_from_text(base::read_whole(json), json.string());
       what = fmt::format("{}, {:g} rpm, {:g} m/h ({:.3g} mm per turn)", result.at("bit").get<std::string>(),
                          result.at("rpm").get<double>(), result.at("rop_m_per_h").get<double>(),
                          1e3 * result.at("depth_of_cut_m").get<double>());

@@ -55,12 +55,20 @@ dem2d::Specimen pack(const Options& options, const dem2d::Rock& rock) {
                               options.common.threads, progress.callback());
 }
 
+void warn_about(const Options& options, const dem2d::Specimen& specimen) {
+  if (specimen.packed_elsewhere()) {
+    for (const std::string& warning : dem2d::discs_warnings(specimen)) warn(options.common, warning);
+  }
+  for (const std::string& warning : dem2d::warnings(specimen)) warn(options.common, warning);
+}
+
 void check(const Options& options, const dem2d::Rock& rock) {
   require_outputs(options.common, {options.rock_file, options.discs_file}, {});
   const dem2d::BoxSize box = box_of(options, rock);
   nlohmann::json result;
   if (from_discs(options)) {
     const dem2d::Specimen specimen = read_discs(options, rock);
+    warn_about(options, specimen);
     result = {{"discs", specimen.x.size()}, {"width_m", specimen.width}, {"height_m", specimen.height}};
   } else {
     const double discs = dem2d::expected_discs(rock, box.width, box.height);
@@ -72,11 +80,15 @@ void check(const Options& options, const dem2d::Rock& rock) {
 }
 
 void report(const Options& options, const dem2d::Specimen& specimen) {
+  const dem2d::Pieces pieces = dem2d::pieces(specimen);
   nlohmann::json result{{"discs", specimen.x.size()},
                         {"joints", specimen.disc1.size()},
                         {"porosity", dem2d::porosity(specimen)},
                         {"coordination_number", dem2d::coordination_number(specimen)},
                         {"floaters", dem2d::floaters(specimen)},
+                        {"pieces", pieces.count},
+                        {"discs_of_largest_piece", pieces.largest},
+                        {"discs_without_joint", pieces.unjoined},
                         {"equilibrium_ratio", specimen.equilibrium_ratio},
                         {"pressure_Pa", specimen.pressure},
                         {"radius_factor", specimen.radius_factor},
@@ -94,8 +106,9 @@ void report(const Options& options, const dem2d::Specimen& specimen) {
   say(options.common, "{}: {:.4g} x {:.4g} mm, {} discs, {} joints, coordination {:.2f}, porosity {:.3f}\n",
       specimen.rock.name, specimen.width * 1e3, specimen.height * 1e3, specimen.x.size(), specimen.disc1.size(),
       result["coordination_number"].get<double>(), result["porosity"].get<double>());
-  say(options.common, "{}, {} floaters (less than 3 joints), critical step {:.3g} s -> {}\n", packed,
-      result["floaters"].get<int>(), result["critical_step_s"].get<double>(), options.output);
+  say(options.common, "{}, {} piece{} joined, {} floaters (less than 3 joints), critical step {:.3g} s -> {}\n", packed,
+      pieces.count, pieces.count == 1 ? "" : "s", result["floaters"].get<int>(),
+      result["critical_step_s"].get<double>(), options.output);
   write_json(options.common, result);
 }
 
@@ -108,9 +121,9 @@ void run(const Options& options) {
   if (options.common.check) return check(options, rock);
   require_outputs(options.common, {options.rock_file, options.discs_file}, {options.output});
   const dem2d::Specimen specimen = from_discs(options) ? read_discs(options, rock) : pack(options, rock);
-  for (const std::string& warning : dem2d::warnings(specimen)) warn(options.common, warning);
   dem2d::write_specimen(specimen, options.output);
   report(options, specimen);
+  warn_about(options, specimen);
 }
 
 }  // namespace

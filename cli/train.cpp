@@ -7,6 +7,7 @@
 
 #include "cli/command.hpp"
 #include "surrogate/net/model_file.hpp"
+#include "surrogate/train/data_warnings.hpp"
 
 namespace cli {
 
@@ -86,6 +87,9 @@ void run(Options options) {
   options.train.output = *surrogate::output_activation(options.output_activation);
   options.train.threads = options.common.threads;
   require_outputs(options.common, {options.data_file, options.init_from}, {options.output});
+  if (options.init_from.empty()) surrogate::require_varied_inputs(data.rows, data.file);
+  for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
+  for (const std::string& doubt : surrogate::learning_warnings(data)) warn(options.common, doubt);
   const std::size_t cases = surrogate::case_numbers(data).size();
   options.train.patience = options.patience.value_or(options.train.validation > 0.0 ? usual_patience : 0);
   surrogate::check_options(options.train);

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
+#include "base/number.hpp"
 #include "base/thin.hpp"
 #include "report/encode.hpp"
 
@@ -27,7 +27,7 @@ constexpr std::size_t many_markers = 60;
 /// More digits than a screen can show would only make the page longer.
 Json number(double value) {
   if (!std::isfinite(value)) return nullptr;
-  return std::strtod(fmt::format("{:.7g}", value).c_str(), nullptr);
+  return base::rounded_to_digits(value, 7);
 }
 
 Json numbers(std::span<const double> values, std::span<const std::size_t> kept) {

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 
 namespace dem2d {
@@ -33,10 +33,11 @@ bool is_new(const std::filesystem::path& path) {
 void check_row(const base::CsvTable& table, std::size_t row) {
   const auto require = [&](std::size_t column, bool good, const char* allowed) {
     if (good) return;
-    throw base::InputError(fmt::format("{}:{}: {} = {} (must be {})", table.source, table.lines[row],
-                                       column_names[column], table.columns[column][row], allowed));
+    throw base::InputError(fmt::format("{}:{}: {} = {} (must be {})", table.source,
+                                       table.lines[row], column_names[column], table.column(column_names[column])[row],
+                                       allowed));
   };
-  const auto cell = [&](std::size_t column) { return table.columns[column][row]; };
+  const auto cell = [&](std::size_t column) { return table.column(column_names[column])[row]; };
   const double test = cell(1), seed = cell(2);
   require(1, test == static_cast<double>(LabTest::ucs) || test == static_cast<double>(LabTest::tension), "0 or 1");
   require(2, seed >= 0.0 && seed <= std::numeric_limits<int>::max() && seed == std::floor(seed),
@@ -52,9 +53,7 @@ namespace {
 bool is_cut_short(std::string_view line) {
   if (std::count(line.begin(), line.end(), ',') + 1 < static_cast<std::ptrdiff_t>(column_names.size())) return true;
   const std::string_view cell = line.substr(line.rfind(',') + 1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error != std::errc{} || end != cell.data() + cell.size();
+  return !base::number_in(cell);
 }
 
 /// Takes a last row out of the file that was cut short, by a copy say: it holds no whole test. Returns what was done.
@@ -93,7 +92,7 @@ void Journal::read_rows() {
   }
   for (std::size_t i = 0; i < table.rows(); ++i) {
     check_row(table, i);
-    const auto cell = [&](std::size_t column) { return table.columns[column][i]; };
+    const auto cell = [&](std::size_t column) { return table.column(column_names[column])[i]; };
     Row row{.inputs = cell(0), .record = {.test = static_cast<LabTest>(cell(1)), .seed = static_cast<int>(cell(2))}};
     for (std::size_t j = 0; j < row.record.micro.size(); ++j) row.record.micro[j] = cell(micro_begin + j);
     row.record.peak_stress = cell(results_begin);

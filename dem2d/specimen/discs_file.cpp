@@ -15,6 +15,11 @@ namespace dem2d {
 namespace {
 
 constexpr std::size_t fewest_discs = 10;
+// Radii over those of the rock, or the other way round [1]. Joints were calibrated with the rock's own; beyond a factor
+// of three they hardly fit, which is worth a warning. Beyond twenty the numbers are in another unit: the nearest one
+// that people use, the inch, makes a factor of 39.
+constexpr double odd_radius_factor = 3.0;
+constexpr double wrong_radius_factor = 20.0;
 
 struct Bounds {
   double x_low, y_low, x_high, y_high;
@@ -72,6 +77,50 @@ void require_values(const base::CsvTable& table, const std::string& column, cons
   }
 }
 
+/// A unit that people write lengths in, beside the metre.
+struct Unit {
+  const char* name;
+  double metres;
+};
+constexpr Unit other_units[]{{"millimetres", 1e-3}, {"centimetres", 1e-2}, {"inches", 25.4e-3}, {"kilometres", 1e3}};
+
+/// Median radius over the nearest radius that the rock file allows; 1 within its range.
+double times_rock_radius(const Specimen& discs) {
+  std::vector<double> radii = discs.radius;
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  const Rock& rock = discs.rock;
+  const double largest = rock.radius_max * (rock.fine_depth > 0.0 ? rock.coarse_ratio : 1.0);
+  if (*middle > largest) return *middle / largest;
+  return *middle < rock.radius_min ? *middle / rock.radius_min : 1.0;
+}
+
+/// In which unit such radii would be those of the rock, as a question; empty when in none.
+std::string likely_unit(double times) {
+  std::string likely;
+  double least = std::log(odd_radius_factor);
+  for (const Unit& unit : other_units) {
+    const double off = std::abs(std::log(times * unit.metres));
+    if (off >= least) continue;
+    least = off;
+    likely = fmt::format(": are they in {}?", unit.name);
+  }
+  return likely;
+}
+
+/// The radii of the table count, and may be those of another rock, but not those of another unit.
+void refuse_another_unit(const Specimen& discs, const base::CsvTable& table) {
+  const auto [smallest, largest] = std::minmax_element(discs.radius.begin(), discs.radius.end());
+  if (*smallest <= 0.0) return;  // has a message of its own
+  const double times = times_rock_radius(discs);
+  if (times < wrong_radius_factor && times > 1.0 / wrong_radius_factor) return;
+  throw base::InputError(fmt::format(
+      "{}: radius_m from {:.4g} to {:.4g} m, {:.3g} times the radii of the rock ([discs] {:.4g} to {:.4g} mm){} (x_m, "
+      "y_m and radius_m are in metres; radii may be up to {:g} times larger or smaller than those of the rock)",
+      table.source, *smallest, *largest, times, discs.rock.radius_min * 1e3, discs.rock.radius_max * 1e3,
+      likely_unit(times), wrong_radius_factor));
+}
+
 void require_gap_below_radii(const Specimen& discs, const base::CsvTable& table) {
   const double smallest = *std::min_element(discs.radius.begin(), discs.radius.end());
   if (discs.rock.installation_gap > smallest) {
@@ -84,15 +133,25 @@ void require_gap_below_radii(const Specimen& discs, const base::CsvTable& table)
 
 }  // namespace
 
+std::vector<std::string> discs_warnings(const Specimen& specimen) {
+  const double times = times_rock_radius(specimen);
+  if (times <= odd_radius_factor && times >= 1.0 / odd_radius_factor) return {};
+  return {
+      fmt::format("the median radius of the discs is {:.3g} times the nearest radius of the rock file ([discs], {:.4g} "
+                  "to {:.4g} mm): moduli and strengths of its joints were found for those",
+                  times, specimen.rock.radius_min * 1e3, specimen.rock.radius_max * 1e3)};
+}
+
 Specimen specimen_from_discs(const std::filesystem::path& path, const Rock& rock, std::uint64_t seed,
                              const std::optional<BoxSize>& box) {
   const base::CsvTable table = base::read_csv(path);
-  require_values(table, "radius_m", allowed_radius);
-  for (const char* column : {"x_m", "y_m"}) require_values(table, column, allowed_place);
   Specimen specimen{.rock = rock, .seed = seed};
   specimen.x = table.column("x_m");
   specimen.y = table.column("y_m");
   specimen.radius = table.column("radius_m");
+  refuse_another_unit(specimen, table);
+  require_values(table, "radius_m", allowed_radius);
+  for (const char* column : {"x_m", "y_m"}) require_values(table, column, allowed_place);
   specimen.origin =
       fmt::format("discs {} ({})", path.filename().string(), base::fingerprint_text(base::read_whole(path)));
   if (table.rows() < fewest_discs) {

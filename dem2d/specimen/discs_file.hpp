@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "dem2d/specimen/specimen.hpp"
 
@@ -21,9 +23,13 @@ struct BoxSize {
 /// its lower left corner is at (0, 0). `seed` draws what is random in the joints.
 ///
 /// Throws `InputError` naming the line (or the two lines) for a radius that is not positive, a disc outside the box,
-/// two discs with the same centre, an overlap above half of the smaller radius, less than ten discs, or an installation
-/// gap above the smallest radius.
+/// two discs with the same centre, an overlap above half of the smaller radius, less than ten discs, an installation
+/// gap above the smallest radius, or radii so far from those of the rock that they are in another unit (its name is
+/// then in the message).
 Specimen specimen_from_discs(const std::filesystem::path& table, const Rock& rock, std::uint64_t seed,
                              const std::optional<BoxSize>& box = {});
+
+/// What to look at in such a specimen although it can be used: radii that are not those of the rock.
+std::vector<std::string> discs_warnings(const Specimen& specimen);
 
 }  // namespace dem2d

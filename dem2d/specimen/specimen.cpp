@@ -97,17 +97,29 @@ int floaters(const Specimen& specimen) {
       std::count_if(joints.begin(), joints.end(), [](int count) { return count < fewest_firm_joints; }));
 }
 
+Pieces pieces(const Specimen& specimen) {
+  std::vector<std::size_t> discs;
+  for (const int piece : label_pieces(specimen.x.size(), specimen.disc1, specimen.disc2)) {
+    const auto place = static_cast<std::size_t>(piece);
+    if (place >= discs.size()) discs.resize(place + 1, 0);
+    ++discs[place];
+  }
+  Pieces found{.largest = discs.empty() ? 0 : discs.front()};
+  for (const std::size_t size : discs) ++(size == 1 ? found.unjoined : found.count);
+  return found;
+}
+
 std::vector<std::string> warnings(const Specimen& specimen) {
-  const std::vector<int> piece = label_pieces(specimen.x.size(), specimen.disc1, specimen.disc2);
-  if (piece.empty()) return {};
-  const auto largest = static_cast<double>(std::count(piece.begin(), piece.end(), 0));
-  const double share = largest / static_cast<double>(piece.size());
-  if (share >= least_largest_piece) return {};
+  const Pieces found = pieces(specimen);
+  const auto discs = static_cast<double>(specimen.x.size());
+  const double share = static_cast<double>(found.largest) / discs;
+  if (specimen.x.empty() || share >= least_largest_piece) return {};
   return {
-      fmt::format("the {} discs hang together in {} pieces, the largest has {:.3g} % of them: what is tested or cut is "
-                  "no single block of rock (a larger flat_joints.installation_gap_mm joins discs that lie farther "
-                  "apart)",
-                  piece.size(), *std::max_element(piece.begin(), piece.end()) + 1, 100.0 * share)};
+      fmt::format("the {} discs hang together in {} pieces, the largest has {:.3g} % of them, and {} discs have no "
+                  "joint: what is tested or cut is no single block of rock (a larger flat_joints.installation_gap_mm, "
+                  "now {:.4g}, joins discs that lie farther apart)",
+                  specimen.x.size(), found.count, 100.0 * share, found.unjoined,
+                  specimen.rock.installation_gap * 1e3)};
 }
 
 }  // namespace dem2d

@@ -66,6 +66,15 @@ double coordination_number(const Specimen& specimen);
 /// Discs with fewer than three joints, too few to be held firmly [PotyondyCundall2004].
 int floaters(const Specimen& specimen);
 
+/// Discs that joints hold together, however far apart they are along them.
+struct Pieces {
+  int count = 0;            ///< of two discs and more
+  std::size_t largest = 0;  ///< discs in the largest
+  int unjoined = 0;         ///< discs without any joint
+};
+
+Pieces pieces(const Specimen& specimen);
+
 /// What is allowed but hardly wanted, in words: discs that hang together in pieces.
 std::vector<std::string> warnings(const Specimen& specimen);
 

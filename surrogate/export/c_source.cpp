@@ -16,6 +16,9 @@ namespace {
 constexpr std::size_t longest_prefix = 23;
 
 constexpr std::string_view what_it_does = R"c( *
+ * One condition a call: 3 numbers in, 10 out, whatever else the arrays hold. For many, call it once for each, with
+ * conditions + 3 i and statistics + 10 i.
+ *
  * It answers 1 inside the training range of the conditions, and 0 outside, where it extrapolates. Not-a-number in
  * gives not-a-number out. x is the cutting direction, along the rock surface; y is the axial direction, out of the
  * rock. Forces are those of the rock on the cutter for each metre of thickness out of the plane of cutting; peaks are
@@ -122,17 +125,35 @@ int PREFIX_predict(const double conditions[3], double statistics[10]) {
 
 #ifdef BITROCK_MAIN
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The three numbers of a line, with nothing behind them; 0 when there is anything else. */
+static int PREFIX_read(const char* line, double conditions[3]) {
+  if (strchr(line, 'x') != NULL || strchr(line, 'X') != NULL) return 0; /* hexadecimal numbers */
+  for (int i = 0; i < 3; ++i) {
+    char* end = NULL;
+    conditions[i] = strtod(line, &end);
+    if (end == line || strchr(" \t\r\n", *end) == NULL) return 0;
+    line = end;
+  }
+  return line[strspn(line, " \t\r\n")] == '\0';
+}
 
 /* Three conditions a line in; ten statistics, and 1 inside the training range or 0 outside, a line out. */
 int main(void) {
+  char line[512];
   double conditions[3], statistics[10];
-  int found;
-  while ((found = scanf("%lf %lf %lf", &conditions[0], &conditions[1], &conditions[2])) == 3) {
+  for (int number = 1; fgets(line, sizeof line, stdin) != NULL; ++number) {
+    if (!PREFIX_read(line, conditions)) {
+      fprintf(stderr, "line %d of the input: must be three numbers with blanks between them\n", number);
+      return 2;
+    }
     const int inside = PREFIX_predict(conditions, statistics);
     for (int i = 0; i < 10; ++i) printf("%.17g ", statistics[i]);
     printf("%d\n", inside);
   }
-  return found == EOF ? 0 : 2;
+  return 0;
 }
 #endif
 )c";

@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t longest_name = 63;  // namelengthmax of MATLAB
 
 constexpr std::string_view what_it_does = R"m(%
+%   One condition or many: conditions is N x 3, statistics is N x 10 and inside N x 1, a row for each row. A single
+%   condition may also be a column of 3, as Simulink gives signals. Anything else is an error.
+%
 %   inside is true inside the training range of the conditions; outside, the statistics are extrapolated. Not-a-number
 %   in gives not-a-number out. x is the cutting direction, along the rock surface; y is the axial direction, out of the
 %   rock. Forces are those of the rock on the cutter for each metre of thickness out of the plane of cutting; peaks are
@@ -23,67 +26,81 @@ constexpr std::string_view what_it_does = R"m(%
 )m";
 
 constexpr std::string_view calculation = R"m(
-inside = true;
-scaled = zeros(1, 3);
-for i = 1:3
-  value = conditions(i) / si_per_unit(i);
-  scaled(i) = (value - input_offset(i)) / input_scale(i);
-  if ~(value >= lowest(i) && value <= highest(i))
-    inside = false;
-  end
+if ~isnumeric(conditions) || ~isreal(conditions) || ~ismatrix(conditions)
+  error('NAME:conditions', 'NAME: conditions must be a matrix of real numbers');
 end
+rows = double(conditions);
+if size(rows, 1) == 3 && size(rows, 2) == 1
+  rows = rows.';
+end
+if size(rows, 2) ~= 3
+  error('NAME:conditions', 'NAME: conditions are %d x %d (must be N x 3, a row for each condition)', ...
+        size(rows, 1), size(rows, 2));
+end
+count = size(rows, 1);
+statistics = zeros(count, 10);
+inside = true(count, 1);
 
 % Layer k maps some numbers to others: each starts at its bias and adds its row of weights in order; negative sums
 % become 0, except on the last layer.
-statistics = zeros(1, 10);
+scaled = zeros(1, 3);
 from = zeros(1, widest_layer);
 to = zeros(1, widest_layer);
-place = 1;   % in layers
-weight = 1;  % in parameters
-for n = 1:10
+for row = 1:count
   for i = 1:3
-    from(i) = scaled(i);
+    value = rows(row, i) / si_per_unit(i);
+    scaled(i) = (value - input_offset(i)) / input_scale(i);
+    if ~(value >= lowest(i) && value <= highest(i))
+      inside(row) = false;
+    end
   end
-  last = layer_counts(n) - 1;
-  for k = 1:last
-    inputs = layers(place);
-    outputs = layers(place + 1);
+  place = 1;   % in layers
+  weight = 1;  % in parameters
+  for n = 1:10
+    for i = 1:3
+      from(i) = scaled(i);
+    end
+    last = layer_counts(n) - 1;
+    for k = 1:last
+      inputs = layers(place);
+      outputs = layers(place + 1);
+      place = place + 1;
+      bias = weight + outputs * inputs;
+      for o = 1:outputs
+        z = parameters(bias);
+        for i = 1:inputs
+          z = z + parameters(weight) * from(i);
+          weight = weight + 1;
+        end
+        bias = bias + 1;
+        if k < last || activations(n) == 0
+          if z < 0
+            z = 0;
+          end
+        elseif activations(n) == 1
+          softened = log1p(exp(-abs(z)));
+          if z < 0
+            z = 0;
+          end
+          z = z + softened;
+        end
+        to(o) = z;
+      end
+      weight = bias;
+      for o = 1:outputs
+        from(o) = to(o);
+      end
+    end
     place = place + 1;
-    bias = weight + outputs * inputs;
-    for o = 1:outputs
-      z = parameters(bias);
-      for i = 1:inputs
-        z = z + parameters(weight) * from(i);
-        weight = weight + 1;
-      end
-      bias = bias + 1;
-      if k < last || activations(n) == 0
-        if z < 0
-          z = 0;
-        end
-      elseif activations(n) == 1
-        softened = log1p(exp(-abs(z)));
-        if z < 0
-          z = 0;
-        end
-        z = z + softened;
-      end
-      to(o) = z;
+    value = offsets(n) + scales(n) * from(1);
+    if log_references(n) > 0
+      value = log_references(n) * expm1(value);
     end
-    weight = bias;
-    for o = 1:outputs
-      from(o) = to(o);
+    if value < 0
+      value = 0;
     end
+    statistics(row, n) = value;
   end
-  place = place + 1;
-  value = offsets(n) + scales(n) * from(1);
-  if log_references(n) > 0
-    value = log_references(n) * expm1(value);
-  end
-  if value < 0
-    value = 0;
-  end
-  statistics(n) = value;
 end
 end
 )m";
@@ -91,7 +108,9 @@ end
 template <std::size_t count>
 std::string table(const char* name, const std::array<Column, count>& columns) {
   std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += fmt::format("%   {}({})  {}\n", name, i + 1, described(columns[i]));
+  for (std::size_t i = 0; i < count; ++i) {
+    text += fmt::format("%   {}(:, {})  {}\n", name, i + 1, described(columns[i]));
+  }
   return text;
 }
 
@@ -172,7 +191,7 @@ std::string matlab_source(const Model& model, std::string_view name) {
              name, comment_text(model.rock)) +
          table("conditions", condition_columns(model)) + table("statistics", statistic_columns(model)) +
          std::string(what_it_does) + origin(model, "% ") + "\n" + inputs(model) + outputs(model) + networks(model) +
-         std::string(calculation);
+         replaced(std::string(calculation), "NAME", name);
 }
 
 }  // namespace surrogate

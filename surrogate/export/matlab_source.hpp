@@ -1,6 +1,7 @@
 #pragma once
 /// The model as one MATLAB function, for MATLAB, Octave and Simulink's function block, and for typing it into tools
-/// that know neither C nor MATLAB: it uses loops, ifs and arrays of fixed size only, no matrix operations.
+/// that know neither C nor MATLAB: it uses loops and ifs only, no matrix operations. It takes many conditions at a
+/// time, one a row, and gives as many rows; conditions in another form are an error.
 ///
 /// **Equation** that of `predict`, in the same order of operations. **Symbols** SI in and out (`columns.hpp`).
 

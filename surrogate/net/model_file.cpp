@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/json.hpp"
 #include "surrogate/net/json_place.hpp"
 
 namespace surrogate {
@@ -226,17 +227,6 @@ std::vector<LearningPoint> read_curve(const JsonPlace& place) {
   return curve;
 }
 
-nlohmann::json parse(std::string_view text, const std::string& name) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    const std::string_view all = error.what();  // "[json.exception.parse_error.101] parse error at line 3, ..."
-    const std::size_t prefix = all.find("] ");
-    throw base::InputError(fmt::format("{}: not a whole JSON file: {} (was it cut short?)", name,
-                                       prefix == std::string_view::npos ? all : all.substr(prefix + 2)));
-  }
-}
-
 }  // namespace
 
 std::string model_text(const Model& model) {
@@ -255,7 +245,7 @@ std::string model_text(const Model& model) {
 }
 
 Model model_from_text(std::string_view text, const std::string& name) {
-  const nlohmann::json json = parse(text, name);
+  const nlohmann::json json = base::json_from_text(text, name);
   const JsonPlace root(json, name);
   if (root.at("format").text() != model_format) root.at("format").refuse(fmt::format("must be {}", model_format));
   if (root.at("format_version").whole_up_to(largest_int) != model_format_version) {

@@ -28,6 +28,8 @@ constexpr base::Range rake_range{.low = -90.0, .high = 90.0, .low_open = true, .
 // In the units of the columns: numbers of a rock, a rig or a model lie far inside, and squares of these are still
 // finite.
 constexpr double largest = 1e12;
+// And so far above 0 that squares of quotients of them are finite too.
+constexpr double smallest = 1e-12;
 
 base::Range positive() {
   return {.low = 0.0, .high = largest, .low_open = true};
@@ -75,6 +77,7 @@ void read_errors(const base::CsvTable& table, std::size_t row, TrainingRow& read
 
 TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seeds) {
   constexpr double largest_exact = 0x1.0p53;  // beyond it a double skips whole numbers
+  constexpr double rounding = 1e-9;           // of numbers written with ten digits
   TrainingRow read;
   read.line = table.lines[row];
   read.case_number = static_cast<int>(whole_cell(table, "case", row, std::numeric_limits<int>::max()));
@@ -85,10 +88,20 @@ TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seed
   for (std::size_t i = 0; i < output_columns.size(); ++i) {
     const double value = cell(table, output_columns[i], row, not_negative());
     read.outputs[i] = is_count(i) ? value / read.cut_length : value;
-    if (!std::isfinite(read.outputs[i])) {
-      throw base::InputError(fmt::format("{}:{}: {} = {} over cut_length_m = {} is not finite", table.source, read.line,
-                                         output_columns[i], value, read.cut_length));
+    if (read.outputs[i] != 0.0 && !(read.outputs[i] >= smallest && read.outputs[i] <= largest)) {
+      const std::string over = is_count(i) ? fmt::format(" over cut_length_m = {}", read.cut_length) : "";
+      throw base::InputError(fmt::format("{}:{}: {} = {}{} (must be 0 or from {:g} to {:g})", table.source, read.line,
+                                         output_columns[i], value, over, smallest, largest));
     }
+  }
+  for (std::size_t highest = 0; highest < output_count; highest += statistics_count) {
+    const std::size_t mean = highest + 1;
+    if (read.outputs[mean] <= read.outputs[highest] * (1.0 + rounding)) continue;
+    throw base::InputError(
+        fmt::format("{}:{}: {} = {} is above {} = {} (the mean height of peaks cannot be above the "
+                    "highest: are the columns swapped?)",
+                    table.source, read.line, output_columns[mean], read.outputs[mean], output_columns[highest],
+                    read.outputs[highest]));
   }
   if (!has_seeds) read_errors(table, row, read);
   return read;

@@ -39,8 +39,9 @@ struct TrainingData {
 /// {amax_N_per_m, amean_N_per_m, np1, np23, np4}; takes seed when there, and without it seeds (the number of cuts of a
 /// mean) and ..._standard_error when they are there; ignores all others.
 /// Throws `base::InputError` with file and line for: a case or seed that is no whole number, speed, depth or length of
-/// cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts, numbers beyond 1e12, a case and
-/// seed that come twice (without seeds: a case that comes twice), one case with two conditions, fewer than two cases.
+/// cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts, numbers beyond 1e12 or below
+/// 1e-12, a mean height of peaks above the highest, a case and seed that come twice (without seeds: a case that comes
+/// twice), one case with two conditions, fewer than two cases.
 TrainingData read_training_data(const std::filesystem::path& path);
 
 /// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of

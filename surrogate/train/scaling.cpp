@@ -1,6 +1,7 @@
 #include "surrogate/train/scaling.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace surrogate {
@@ -21,12 +22,17 @@ Variable ranged(const VariableName& name, std::span<const TrainingRow> rows, con
 
 }  // namespace
 
+bool varies(const Variable& input) {
+  constexpr double rounding = 1e-9;  // of a number that was written with ten digits or came by way of other units
+  return input.high - input.low > rounding * std::max(std::abs(input.low), std::abs(input.high));
+}
+
 std::array<Variable, input_count> input_variables(std::span<const TrainingRow> train_rows) {
   std::array<Variable, input_count> variables;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     variables[i] = ranged(input_names[i], train_rows, [i](const TrainingRow& row) { return row.inputs[i]; });
     variables[i].offset = variables[i].low;
-    if (variables[i].high > variables[i].low) variables[i].scale = variables[i].high - variables[i].low;
+    if (varies(variables[i])) variables[i].scale = variables[i].high - variables[i].low;
   }
   return variables;
 }

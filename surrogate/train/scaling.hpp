@@ -4,8 +4,8 @@
 ///
 /// **Equation** inputs: scaled = (value - low) / (high - low), in [0, 1] on the training rows;
 /// outputs: scaled = value / high, so that zero stays zero and the scaled output, never negative, fits a rectified
-/// unit; with a log reference y_0 the same of ln(1 + value / y_0). A column that is constant (inputs) or all zero
-/// (outputs) gets scale 1.
+/// unit; with a log reference y_0 the same of ln(1 + value / y_0). A column that does not vary (inputs) or is all
+/// zero (outputs) gets scale 1.
 /// **Source** [BitRock2026, sec. 3.2] says only that the data were scaled.
 
 #include <array>
@@ -15,6 +15,9 @@
 #include "surrogate/train/data.hpp"
 
 namespace surrogate {
+
+/// Whether its range is wider than the rounding of its numbers.
+bool varies(const Variable& input);
 
 /// Both need at least one row.
 std::array<Variable, input_count> input_variables(std::span<const TrainingRow> train_rows);

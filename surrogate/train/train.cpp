@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "surrogate/net/model_file.hpp"
+#include "surrogate/train/data_warnings.hpp"
 #include "surrogate/train/learn.hpp"
 #include "surrogate/train/scaling.hpp"
 #include "surrogate/train/scatter.hpp"
@@ -216,6 +217,7 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
     throw base::InputError(
         fmt::format("{}: only one row is left to learn from (more cases, or a larger split)", data.file));
   }
+  if (options.init_from == nullptr) require_varied_inputs(sides.train, data.file);
   Model model = start_model(options, sides.train);
   train_outputs(options, law, sides, progress, model);
   model.provenance = {.data_file = data.file,

@@ -79,6 +79,10 @@ TEST_F(Errors, ForceHistories) {
   expect("peaks " + file("text.csv", "time_s,force\n0,strong\n"), 2, "'strong' is not a number");
   expect("peaks " + file("tabs.csv", "time_s\tforce\n0\t1\n"), 2, "columns are separated by commas");
   expect("peaks " + file("bare.csv", "0,1\n1,2\n"), 2, "bare.csv:1: '0' in the header");
+  expect("peaks " + file("comma.csv", "\"Zeit, s\",\"Kraft, N\"\n\"0,1\",\"0,5\"\n") + " --column 'Kraft, N'", 2,
+         "comma.csv:2: column Kraft, N: '0,5' is not a number (decimal comma: write 0.5)");
+  expect("peaks " + (dir / "comma.csv").string() + " --column Kraft", 2,
+         "no column Kraft (there are: \"Zeit, s\", \"Kraft, N\")");
   const std::string good = file("good.csv", "time_s,force\n0,0\n1,2\n2,1\n");
   expect("peaks " + good + " --column farce", 2, "no column farce (there are: time_s, force)");
   expect("peaks " + good + " --parts 0", 2, "--parts");
@@ -100,6 +104,17 @@ TEST_F(Errors, TrainingDataAndModels) {
   expect("train " + file("nan.csv", header + rows + "4,1,nan,2,10,0.05,0.1,3e5,3e4,1,9,59,1e5,2e4,2,8,67\n"), 2,
          "nan.csv:5");
   const std::string model = (dir / "model.json").string();
+  std::string same;
+  for (int number = 1; number <= 9; ++number) {
+    same +=
+        std::to_string(number) + ",1,1,2,15,0.05,0.1,3e5,3e4,1,9," + std::to_string(50 + number) + ",1e5,2e4,2,8,67\n";
+  }
+  for (const char* check : {"", " --check"}) {
+    expect("train " + file("same.csv", header + same) + check, 2,
+           "same.csv: speed, depth and rake are the same in all");
+  }
+  expect("train " + file("swapped.csv", header + rows + "4,1,1,2,10,0.05,0.1,3e4,3e5,1,9,59,1e5,2e4,2,8,67\n"), 2,
+         "swapped.csv:5: x_amean_N_per_m = 300000 is above x_amax_N_per_m = 30000");
   const auto trained = run("train " + file("good.csv", header + rows) + " -o " + model);
   ASSERT_EQ(trained.status, 0) << trained.text;
   expect("train " + (dir / "good.csv").string() + " --check --layers 3,0,1 -o " + model, 2, "a layer of 0 nodes");
@@ -141,13 +156,55 @@ TEST_F(Errors, OutputsNeverReplaceInputs) {
 }
 
 TEST_F(Errors, NumbersThatAreNone) {
-  expect("specimen " + rock + " --width-mm nan", 2, "'nan' (must be at least 0.01 and at most 10000)");
+  expect("specimen " + rock + " --width-mm nan", 2, "--width-mm: nan (only finite numbers are allowed)");
   expect("specimen " + rock + " --width-mm 1e300 --check", 2, "must be at least 0.01 and at most 10000");
+  expect("specimen " + rock + " --width-mm -1 --check", 2, "must be at least 0.01 and at most 10000");
   expect("specimen " + rock + " --width-mm 9000 --height-mm 9000 --check", 2, "at most 1e+07");
   expect("predict x.json --speed-m-per-s 1 --depth-mm 0.002 --rake-deg 15", 2, "is it in m? Then write 2");
   expect("lab ucs " + rock + " --width-mm 0.05", 2, "too small for discs");
-  expect("predict x.json --speed-m-per-s '' --depth-mm 2 --rake-deg 15", 2, "is not a number");
-  expect("train x.csv --seed -1", 2, "not in range");
+  expect("predict x.json --speed-m-per-s '' --depth-mm 2 --rake-deg 15", 2, "an empty text is not a number");
+  expect("train x.csv --seed -1", 2, "must be a whole number in decimal digits, 0 or above");
+}
+
+// The library that reads the flags takes most of these for numbers: 010 for eight, 0x2 for two, nan for one in any
+// range.
+TEST_F(Errors, FlagsHoldDecimalNumbersOnly) {
+  const std::string whole = "must be a whole number in decimal digits";
+  for (const char* text : {"0x2", "1e3", "2.0", "two", "' 2'", "2,3", "''", "0b1", "99999999999999999999"}) {
+    expect(std::string("cut ") + example + " --threads " + text, 2, whole);
+    expect(std::string("specimen ") + rock + " --check --seed " + text, 2, whole);
+  }
+  expect("train x.csv --epochs 99999999999", 2, "--epochs: Value 99999999999 not in range");
+  expect("train x.csv --layers 3,0x4,1", 2, whole);
+  expect("train x.csv --patience 0x2", 2, whole);
+  for (const char* text : {"0x14", "1e", "1e999", "inf", "nan", "'nan(1)'", "0,5", "' 1'", "1d0", "1_0"}) {
+    const auto outcome = run(std::string("predict x.json --speed-m-per-s 1 --depth-mm 2 --rake-deg ") + text);
+    EXPECT_EQ(outcome.status, 2) << text << "\n" << outcome.text;
+    EXPECT_NE(outcome.text.find("--rake-deg: "), std::string::npos) << outcome.text;
+    EXPECT_EQ(outcome.text.find("x.json"), std::string::npos) << "taken for a number: " << text << "\n" << outcome.text;
+  }
+  expect("train x.csv --validation nan", 2, "--validation: nan (only finite numbers are allowed)");
+  // Leading zeros mean nothing, also where they would mean something to the library: 0400 is 256 there.
+  expect("cut " + example + " --threads 0400", 2, "Value 400 not in range");
+  const std::string sized = "specimen " + rock + " --check --width-mm +20 --height-mm 2e1 --seed 010 --json ";
+  const std::string json = (dir / "seed.json").string();
+  expect(sized + json, 0, "20 x 20 mm");
+}
+
+TEST_F(Errors, RangesInFlagsHoldDecimalNumbersOnly) {
+  const std::string map = std::string("drill map ") + BITROCK_SOURCE_DIR + "/campaigns/drill/stick_slip.toml --model " +
+                          BITROCK_SOURCE_DIR + "/campaigns/paper240/model.json --check ";
+  for (const char* text :
+       {"1e:2:3", "0x14:30:2", "10:20:3x", "10:20:0x3", "10:nan:3", "10:20", "10:20:3:4", "10,5", "''", "10:20:1e1"}) {
+    expect(map + "--hook-load-kN " + text, 2, "write lowest:highest:count");
+  }
+  for (const char* text : {"1:0x3", "1:3x", "1", "1:2:3", "-1:2", "1:1e1", "1:99999999999", "3:1", "1:2000"}) {
+    expect(map + "--seeds " + text, 2, "write first:last");
+  }
+  const std::string study = file("study.toml", program::small_study());
+  for (const char* text : {"0x1/2", "1/2x", "1", "1/2/3", "0/2", "3/2", "'1 /2'", "-1/2"}) {
+    expect("campaign run " + study + " --dir " + (dir / "new").string() + " --shard " + text, 2, "write i/n");
+  }
 }
 
 TEST_F(Errors, AForceOfTheOtherSignIsWarnedOf) {

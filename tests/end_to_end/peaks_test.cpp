@@ -77,4 +77,67 @@ TEST_F(Peaks, MorePartsThanSamplesAreEmpty) {
   EXPECT_TRUE(found["parts"][1]["zero_force_share"].is_null());
 }
 
+TEST_F(Peaks, NamesMayHoldCommas) {
+  const auto found =
+      result("\"Zeit, s\",\"Kraft, N\"\n0,0\n0.1,3\n0.2,1\n0.3,4\n0.4,0\n", "--column 'Kraft, N' --time 'Zeit, s'");
+  EXPECT_EQ(found["column"], "Kraft, N");
+  EXPECT_EQ(found["time_column"], "Zeit, s");
+  EXPECT_EQ(found["amax"], 4.0);
+  EXPECT_EQ(found["count"], 2);
+  EXPECT_NEAR(found["peaks"][1]["time_s"].get<double>(), 0.3, 1e-15);
+}
+
+TEST_F(Peaks, ANamelessLastColumnIsPassedOver) {
+  const auto found = result("time_s,F,\n0,0,\n1,3,\n2,1,\n3,4,\n4,0,\n");
+  EXPECT_EQ(found["column"], "F");
+  EXPECT_EQ(found["count"], 2);
+}
+
+TEST_F(Peaks, TimesUnderAnotherNameAreAskedFor) {
+  base::write_whole(dir / "rig.csv", "Time (s),Force (N),Operator\n0,0,Li\n0.1,3,Li\n0.2,1,Li\n0.4,4,Li\n0.5,0,Li\n");
+  const std::string peaks = "peaks " + (dir / "rig.csv").string() + " --column 'Force (N)'";
+  const auto untimed = run(peaks);
+  EXPECT_EQ(untimed.status, 0) << untimed.text;
+  EXPECT_NE(untimed.text.find("no column time_s: samples are taken for evenly spaced, and lengths are in samples (name "
+                              "the times with --time; there are: Time (s), Operator)"),
+            std::string::npos)
+      << untimed.text;
+  const auto timed = run(peaks + " --time 'Time (s)' --json " + (dir / "rig.json").string());
+  EXPECT_EQ(timed.status, 0) << timed.text;
+  EXPECT_NE(timed.text.find("times [s] from Time (s)"), std::string::npos) << timed.text;
+  EXPECT_EQ(timed.text.find("warning"), std::string::npos) << timed.text;
+  EXPECT_EQ(program::json(dir / "rig.json")["peaks"][1]["time_s"], 0.4);
+  const auto which = run("peaks " + (dir / "rig.csv").string());
+  EXPECT_EQ(which.status, 2);
+  EXPECT_NE(which.text.find("which column? (choose with --column: Time (s), Force (N), Operator)"), std::string::npos);
+  EXPECT_EQ(run(peaks + " --time Operator").status, 2);
+  EXPECT_EQ(run(peaks + " --time 'Force (N)'").status, 2);
+  EXPECT_EQ(run(peaks + " --time seconds").status, 2);
+}
+
+TEST_F(Peaks, TimesAreInSecondsAndRise) {
+  for (const char* name : {"t_ms", "Time (ms)", "Time [min]", "time h", "Zeit [\xc2\xb5s]"}) {
+    base::write_whole(dir / "rig.csv", std::string(name) + ",F\n0,0\n1,3\n2,0\n");
+    const auto outcome = run("peaks " + (dir / "rig.csv").string() + " --column F --time '" + name + "'");
+    EXPECT_EQ(outcome.status, 2) << outcome.text;
+    EXPECT_NE(outcome.text.find("a time must be in seconds"), std::string::npos) << outcome.text;
+  }
+  base::write_whole(dir / "rig.csv", "t,F\n0,0\n2,3\n1,0\n");
+  const auto falls = run("peaks " + (dir / "rig.csv").string() + " --column F --time t");
+  EXPECT_EQ(falls.status, 2);
+  EXPECT_NE(falls.text.find("t falls from 2 to 1 at sample 2"), std::string::npos) << falls.text;
+  base::write_whole(dir / "rig.csv", "t,F\n0,0\n1,3\n9,0\n");
+  EXPECT_NE(run("peaks " + (dir / "rig.csv").string() + " --column F --time t").text.find("t is not evenly spaced"),
+            std::string::npos);
+}
+
+TEST_F(Peaks, PoorHistoriesHaveNoPeaks) {
+  for (const char* csv : {"F\n1\n", "F\n5\n5\n5\n5\n", "F\n-1\n-3\n-1\n-2\n-5\n", "F\n0\n0\n"}) {
+    const auto found = result(csv);
+    EXPECT_EQ(found["count"], 0) << csv;
+    EXPECT_EQ(found["amean"], 0.0) << csv;
+  }
+  EXPECT_EQ(result("F\n0\n1e308\n0\n1e308\n0\n")["amean"].get<double>(), 1e308);
+}
+
 }  // namespace

@@ -63,4 +63,24 @@ TEST_F(SpecimenProgram, DiscsPackedElsewhereCanBeCut) {
   EXPECT_EQ(run(made + " --width-mm 9 --height-mm 7").status, 2);
 }
 
+TEST_F(SpecimenProgram, WarnsOfDiscsThatAreNotOneRock) {
+  lattice();
+  std::string text = base::read_whole(dir / "discs.csv");
+  for (int column = 0; column < 9; ++column) text += std::to_string(0.0005 + 0.001 * column) + ",0.012,0.0005\n";
+  base::write_whole(dir / "discs.csv", text);
+  const auto outcome = run("specimen " + rock + " --from-discs " + path("discs.csv") + " -o " + path("s.h5") +
+                           " --json " + path("s.json"));
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("warning: the joints make 2 pieces, the largest of 70 of 79 discs"), std::string::npos)
+      << outcome.text;
+  EXPECT_EQ(program::json(dir / "s.json")["pieces"], 2);
+
+  base::write_whole(dir / "mm.csv",
+                    "x_m,y_m,radius_m\n0.5,0.5,0.5\n1.5,0.5,0.5\n2.5,0.5,0.5\n3.5,0.5,0.5\n4.5,0.5,0.5\n"
+                    "0.5,1.5,0.5\n1.5,1.5,0.5\n2.5,1.5,0.5\n3.5,1.5,0.5\n4.5,1.5,0.5\n");
+  const auto millimetres = run("specimen " + rock + " --from-discs " + path("mm.csv") + " -o " + path("m.h5"));
+  EXPECT_EQ(millimetres.status, 2);
+  EXPECT_NE(millimetres.text.find("are they in millimetres?"), std::string::npos) << millimetres.text;
+}
+
 }  // namespace

@@ -68,6 +68,30 @@ TEST(Config, MessagesNameLineKeyValueAndWhatIsAllowed) {
             "rock.toml:3: rock.speeds_m_per_s = -1 (must be above 0 and at most 100)");
 }
 
+TEST(Config, WhatTomlKnowsAndAKeyMayNotBe) {
+  const auto radius = [](const std::string& value) { return message("[rock]\nradius_mm = " + value); };
+  EXPECT_EQ(radius("inf"), "rock.toml:2: rock.radius_mm = inf (must be above 0)");
+  EXPECT_EQ(radius("-inf"), "rock.toml:2: rock.radius_mm = -inf (must be above 0)");
+  EXPECT_EQ(radius("2026-11-29"), "rock.toml:2: rock.radius_mm = 2026-11-29 (must be a number)");
+  EXPECT_EQ(radius("12:00:00"), "rock.toml:2: rock.radius_mm = 12:00:00 (must be a number)");
+  EXPECT_EQ(radius("true"), "rock.toml:2: rock.radius_mm = true (must be a number)");
+  EXPECT_NE(radius("[1]").find("must be a number"), std::string::npos);
+  EXPECT_NE(radius("{ of = 1 }").find("must be a number"), std::string::npos);
+  EXPECT_EQ(radius("1"), "accepted");  // a whole number is a number
+  for (const char* broken : {"1e999", "1e", "0x", "1,5", "010", "nan(1)", "9223372036854775808", "1_", "1\nradius_mm = 2"}) {
+    EXPECT_EQ(radius(broken).find("rock.toml:"), 0u) << broken << ": " << radius(broken);
+  }
+  const auto elements = [](const std::string& value) { return message("[rock]\nradius_mm = 1\nelements = " + value); };
+  EXPECT_EQ(elements("4294967297"), "rock.toml:3: rock.elements = 4294967297 (must be at least 1 and at most 64)");
+  EXPECT_EQ(elements("2.0"), "rock.toml:3: rock.elements = 2.0 (must be a whole number)");
+  EXPECT_EQ(elements("inf"), "rock.toml:3: rock.elements = inf (must be a whole number)");
+  EXPECT_EQ(message("[rock]\nradius_mm = 1\nspeeds_m_per_s = [1, inf]"),
+            "rock.toml:3: rock.speeds_m_per_s = inf (must be above 0)");
+  EXPECT_EQ(message("[rock]\nradius_mm = 1\nspeeds_m_per_s = [[1]]").find("rock.toml:3: rock.speeds_m_per_s"), 0u);
+  EXPECT_EQ(message("[rock]\nname = \"k\xf6rnig\"").substr(0, 31), "rock.toml:2: byte F6 is not UTF");
+  EXPECT_EQ(message("\xef\xbb\xbf[rock]\nradius_mm = 1"), "accepted");
+}
+
 TEST(Config, MissingAndUnknownKeysAreErrors) {
   EXPECT_EQ(message("[rock]\nname = 'x'"),
             "rock.toml:1: rock.radius_mm is missing (disc radius; above 0 and at most 100)");

@@ -139,4 +139,52 @@ TEST_F(DiscsFile, RefusesWhatIsNoRock) {
   expect_refused(apart, "nothing would be joined");
 }
 
+TEST_F(DiscsFile, RadiiInAnotherUnitAreRefusedByItsName) {
+  const auto lattice_of = [](double radius) {
+    std::string text = "x_m,y_m,radius_m\n";
+    for (int i = 0; i < 12; ++i) text += fmt::format("{},{},{}\n", 2 * radius * (i % 4), 2 * radius * (i / 4), radius);
+    return text;
+  };
+  expect_refused(lattice_of(0.6),
+                 "radius_m from 0.6 to 0.6 m, 800 times the radii of the rock ([discs] 0.5 to 0.75 mm): "
+                 "are they in millimetres? (x_m, y_m and radius_m are in metres");
+  expect_refused(lattice_of(1.6), "are they in millimetres?");  // beyond what is a radius at all
+  expect_refused(lattice_of(0.06), "are they in centimetres?");
+  expect_refused(lattice_of(0.0225), "are they in inches?");
+  expect_refused(lattice_of(6e-7), "are they in kilometres?");
+  expect_refused(lattice_of(2e-5), "0.04 times the radii of the rock ([discs] 0.5 to 0.75 mm) (x_m");
+
+  rock.installation_gap = 0.01e-3;
+  EXPECT_TRUE(dem2d::discs_warnings(read(lattice_of(0.6e-3))).empty());
+  EXPECT_TRUE(dem2d::discs_warnings(read(lattice_of(0.2e-3))).empty()) << "a finer packing";
+  const auto warnings = dem2d::discs_warnings(read(lattice_of(0.1e-3)));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("is 0.2 times the nearest radius of the rock file"), std::string::npos) << warnings[0];
+}
+
+TEST_F(DiscsFile, CountsThePiecesThatJointsMake) {
+  const dem2d::Specimen whole = read(square_lattice());
+  EXPECT_EQ(dem2d::pieces(whole).count, 1);
+  EXPECT_EQ(dem2d::pieces(whole).largest, 12u);
+  EXPECT_EQ(dem2d::pieces(whole).unjoined, 0);
+  EXPECT_TRUE(dem2d::warnings(whole).empty());
+
+  // a second block 1 mm to the right of the first, a pair above, and a disc alone
+  const std::string block = square_lattice(5.5e-3);
+  const dem2d::Specimen apart = read(square_lattice() + block.substr(block.find('\n') + 1) +
+                                     "0.0005,0.0095,7,0.0005\n0.0005,0.0095,7,0.0015\n0.0005,0.0195,7,0.0005\n");
+  const dem2d::Pieces pieces = dem2d::pieces(apart);
+  EXPECT_EQ(pieces.count, 3);
+  EXPECT_EQ(pieces.largest, 12u);
+  EXPECT_EQ(pieces.unjoined, 1);
+  ASSERT_EQ(dem2d::warnings(apart).size(), 1u);
+  EXPECT_NE(dem2d::warnings(apart)[0].find("in 3 pieces, the largest has 44.4 % of them, and 1 discs have no joint"),
+            std::string::npos)
+      << dem2d::warnings(apart)[0];
+}
+
+TEST_F(DiscsFile, APackingOfOursIsOnePiece) {
+  EXPECT_TRUE(dem2d::warnings(dem2d::make_specimen(rock, 12e-3, 12e-3, 3, 1)).empty());
+}
+
 }  // namespace

@@ -44,11 +44,11 @@ TEST(SurrogateData, TakesAMeanFileWithoutSeedsAndWithOtherColumnsInOtherOrder) {
       "depth_of_cut_mm,case,cutter_speed_m_per_s,back_rake_deg,cut_length_m,x_amax_N_per_m,"
       "x_amax_N_per_m_standard_error,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,"
       "y_np4,seeds\n"
-      "2,8,0.5,-10,0.5,11,0.7,12,13,14,15,16,17,18,19,20,3\n"
-      "3,9,0.5,-10,0.5,11,0.7,12,13,14,15,16,17,18,19,20,3\n");
+      "2,8,0.5,-10,0.5,12,0.7,11,13,14,15,17,16,18,19,20,3\n"
+      "3,9,0.5,-10,0.5,12,0.7,11,13,14,15,17,16,18,19,20,3\n");
   EXPECT_FALSE(data.has_seeds);
   EXPECT_EQ(data.rows[0].inputs, (std::array<double, 3>{0.5, 2.0, -10.0}));
-  EXPECT_EQ(data.rows[0].outputs, (std::array<double, 10>{11, 12, 26, 28, 30, 16, 17, 36, 38, 40}));
+  EXPECT_EQ(data.rows[0].outputs, (std::array<double, 10>{12, 11, 26, 28, 30, 17, 16, 36, 38, 40}));
 }
 
 TEST(SurrogateData, ColumnsAndNumbersMustBeThere) {
@@ -99,7 +99,27 @@ TEST(SurrogateData, ValuesOutOfRangeCarryTheirLine) {
   EXPECT_EQ(with_row("2,0.5,1,2,15,0.1,0.1,5,4,3,7,10,500,200,2,1,9\n"),
             "features.csv:3: seed = 0.5 (must be a whole number)");
   EXPECT_EQ(with_row("2,1,1,2,15,1e-300,0.1,5,4,3,7,1e10,500,200,2,1,9\n"),
-            "features.csv:3: x_np4 = 10000000000 over cut_length_m = 1e-300 is not finite");
+            "features.csv:3: x_np1 = 3 over cut_length_m = 1e-300 (must be 0 or from 1e-12 to 1e+12)");
+}
+
+TEST(SurrogateData, WhatNoForceCanHaveIsRefused) {
+  const auto with_row = [](const std::string& row) { return message(features_header + row_1_1 + row); };
+  EXPECT_EQ(with_row("2,1,1,2,15,0.1,0.1,400,1000,3,7,10,500,200,2,1,9\n"),
+            "features.csv:3: x_amean_N_per_m = 1000 is above x_amax_N_per_m = 400 (the mean height of peaks cannot be "
+            "above the highest: are the columns swapped?)");
+  EXPECT_EQ(with_row("2,1,1,2,15,0.1,0.1,5,4,3,7,10,500,501,2,1,9\n").substr(0, 39),
+            "features.csv:3: y_amean_N_per_m = 501 i");
+  EXPECT_EQ(with_row("2,1,1,2,15,0.1,0.1,5e-200,0,3,7,10,500,200,2,1,9\n"),
+            "features.csv:3: x_amax_N_per_m = 5e-200 (must be 0 or from 1e-12 to 1e+12)");
+  EXPECT_EQ(with_row("2,1,1,2,15,0.1,0.1,5,5,3,7,10,0,0,0,0,0\n"), "accepted");
+}
+
+TEST(SurrogateData, ColumnsThatAreNotUsedMayHoldText) {
+  std::string header = features_header;
+  header.insert(header.find("duration_s"), "tested by,");
+  const TrainingData data = read_text(header + "1,1,0.5,2,15,0.05,\"Li, Ann\",,1000,400,3,7,10,500,200,2,5,9\n" +
+                                      "2,1,1.5,2,15,0.15,,n/a,1000,400,3,7,10,500,200,2,5,9\n");
+  EXPECT_EQ(data.rows[1].outputs[0], 1000.0);
 }
 
 TEST(SurrogateData, RowsMustAgreeWithEachOther) {

@@ -217,6 +217,56 @@ TEST(MatlabSource, GivesTheBitsOfPredictInOctave) {
   expect_predicted(model, asked, answers(folder, "program", asked));
 }
 
+TEST(MatlabSource, AnswersARowForEachRowInOctave) {
+  if (!base::is_installed("octave-cli")) GTEST_SKIP() << "no octave-cli (package octave)";
+  const scratch::Folder folder("matlab_rows");
+  base::write_whole(folder / "model.m", surrogate::matlab_source(mixed::model(), "model"));
+  base::write_whole(
+      folder / "main.m",
+      "many = [0.5 0.002 0.26; 1 0.003 0.20; NaN 0.002 0.2; 50 0.002 0.2];\n"
+      "[got, inside] = model(many);\n"
+      "assert(isequal(size(got), [4 10]) && isequal(size(inside), [4 1]));\n"
+      "for row = 1:4\n  [right, in] = model(many(row, :));\n"
+      "  assert(isequaln(got(row, :), right) && isequal(inside(row), in));\nend\n"
+      "assert(isequal(inside', [true true false false]));\n"
+      "assert(isequal(model([1; 0.003; 0.2]), got(2, :)));\n"  // a signal of Simulink
+      "assert(isequal(size(model(zeros(0, 3))), [0 10]));\n"
+      "square = [0.5 1 0.7; 0.002 0.003 0.001; 0.26 0.2 0.3];\n"  // three rows, though they look like columns
+      "assert(isequal(size(model(square)), [3 10]));\n"
+      "assert(isequal(model(single([1 0.5 0.25])), model([1 0.5 0.25])));\n"
+      "assert(isequal(model(int32([1 2 3])), model([1 2 3])));\n"
+      "bad = {[], 1, [1 0.002], [1; 0.002], [1 0.002 0.2 7], ones(3, 2), ones(2, 1), ones(2, 3, 2), 'abc', ...\n"
+      "       [1i 0.002 0.2], {1, 2, 3}, [true false true]};\n"
+      "for k = 1:numel(bad)\n  refused = false;\n  try\n    model(bad{k});\n  catch problem\n"
+      "    refused = strcmp(problem.identifier, 'model:conditions');\n  end\n"
+      "  assert(refused, sprintf('bad input %d was taken', k));\nend\n"
+      "disp('all good');\n");
+  ASSERT_TRUE(shell("cd " + quoted(folder.path()) + "&& octave-cli --no-init-file main.m > said 2> errors"))
+      << base::read_whole(folder / "errors");
+  EXPECT_EQ(base::read_whole(folder / "said"), "all good\n");
+}
+
+TEST(CSource, TheProgramRefusesLinesThatAreNotThreeNumbers) {
+  const scratch::Folder folder("c_lines");
+  base::write_whole(folder / "model.c", surrogate::c_source(mixed::model(), "bitrock"));
+  ASSERT_TRUE(shell(c99 + "-DBITROCK_MAIN " + quoted(folder / "model.c") + "-o " + quoted(folder / "c") + "-lm"));
+  const auto status = [&](const std::string& line) {
+    base::write_whole(folder / "asked", "1 0.002 0.3\n" + line);
+    return std::system((quoted(folder / "c") + "<" + quoted(folder / "asked") + ">" + quoted(folder / "answered") +
+                        "2>" + quoted(folder / "said"))
+                           .c_str());
+  };
+  EXPECT_EQ(status("  2\t0.003 1e-1 \r\n"), 0);
+  EXPECT_EQ(status("2 0.003 0.2"), 0);
+  for (const char* bad :
+       {"1 0.002\n0.3\n", "1 0.002 0.3 4\n", "1 0.002 0x1\n", "1 0,002 0.3\n", "1e 0.002 0.3\n", "\n", "a b c\n"}) {
+    EXPECT_NE(status(bad), 0) << bad;
+    EXPECT_EQ(base::read_whole(folder / "said"),
+              "line 2 of the input: must be three numbers with blanks between them\n")
+        << bad;
+  }
+}
+
 TEST(MatlabSource, RefusesANameThatIsNoIdentifier) {
   const Model model = mixed::model();
   for (const std::string& name : {std::string("my-rock"), std::string(""), std::string(64, 'a')}) {

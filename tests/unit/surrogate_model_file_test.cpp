@@ -101,7 +101,7 @@ TEST(SurrogateModelFile, CutShortAnywhereItIsRefused) {
   for (std::size_t length = 0; length < whole; length += 7) {
     const std::string message = refusal([&] { model_from_text(text.substr(0, length), "model.json"); });
     EXPECT_EQ(message.find("model.json: not a whole JSON file: parse error at line "), 0u) << length << message;
-    EXPECT_NE(message.find("(was it cut short?)"), std::string::npos);
+    EXPECT_NE(message.find("(was it cut short, or changed by hand?)"), std::string::npos);
   }
 }
 
@@ -115,8 +115,31 @@ TEST(SurrogateModelFile, OneWrongByteIsReadOrRefusedButNeverAnythingElse) {
     if (refusal([&] { model_from_text(damaged, "model.json"); }) != "accepted") ++refused;
   }
   EXPECT_GT(refused, 1000);
-  EXPECT_EQ(refusal([] { model_from_text(std::string(100000, '['), "model.json"); }).find("model.json: not a whole"),
-            0u);
+  EXPECT_EQ(refusal([] { model_from_text(std::string(100000, '['), "model.json"); }).find("model.json: nested"), 0u);
+}
+
+TEST(SurrogateModelFile, WhatIsNoNumberAndKeysThatComeTwiceAreRefusedWithTheirPlace) {
+  EXPECT_EQ(message_after("\"low\": 0.5", "\"low\": null"), "inputs[0].low = null (must be a finite number)");
+  EXPECT_EQ(message_after("\"low\": 0.5", "\"low\": \"0.5\""), "inputs[0].low = \"0.5\" (must be a finite number)");
+  EXPECT_EQ(message_after("\"restarts\": 0", "\"restarts\": -1"),
+            "outputs[0].restarts = -1 (must be a whole number, 0 or above)");
+  EXPECT_EQ(message_after("[1.0,2.0,3.0]", "[1.0,null,3.0]"),
+            "outputs[0].weights[0][0][1] = null (must be a finite number)");
+  EXPECT_EQ(message_after("[1.0,2.0,3.0]", "[1.0,[2.0],3.0]"),
+            "outputs[0].weights[0][0][1] = a list of 1 (must be a finite number)");
+  EXPECT_EQ(message_after("\"low\": 0.5,", "\"low\": 0.5, \"low\": 0.6,"),
+            "inputs[0].low stands there twice (keep the one that is meant)");
+  EXPECT_NE(refusal([] {
+              std::string text = model_text(linear_model());
+              text.replace(text.find("[1.0,2.0,3.0]"), 13, "[1.0,1e999,3.0]");
+              model_from_text(text, "model.json");
+            }).find("outputs[0].weights[0][0][1] = 1e999 is beyond what a number can be"),
+            std::string::npos);
+  for (const char* other : {"NaN", "Infinity", "-Infinity", "0x1", "1e", "0,5", "+1"}) {
+    std::string text = model_text(linear_model());
+    text.replace(text.find("[1.0,2.0,3.0]"), 13, fmt::format("[1.0,{},3.0]", other));
+    EXPECT_NE(refusal([&] { model_from_text(text, "model.json"); }), "accepted") << other;
+  }
 }
 
 TEST(SurrogateModelFile, AFileThatIsNotThereIsRefused) {
@@ -188,7 +211,7 @@ TEST(SurrogateModelFile, WeightsMustBeFiniteSensibleAndOfTheRightShape) {
             "outputs[0].layers = a list of 3 (a layer of 999 nodes (1 to 64 are allowed))");
   EXPECT_EQ(message_after("\"layers\": [3,1]", "\"layers\": [3,-1]"),
             "outputs[0].layers[1] = -1 (must be a whole number, 0 or above)");
-  for (const char* number : {"NaN", "1e999", "-Infinity"}) {
+  for (const char* number : {"NaN", "-Infinity"}) {
     EXPECT_EQ(message_after("[1.0,2.0,3.0]", std::string("[1.0,") + number + ",3.0]").find("not a whole JSON file: "),
               0u);
   }
