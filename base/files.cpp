@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "base/errors.hpp"
+#include "base/unfinished.hpp"
 
 namespace base {
 
@@ -82,13 +83,12 @@ void write_whole(const std::filesystem::path& path, std::string_view bytes) {
     return;
   }
   const std::filesystem::path target = behind_link(path), part = part_name(target);
+  Unfinished unfinished(part);
   const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   int error = file < 0 ? errno : write_flush_close(file, bytes, true);
   if (error == 0 && ::rename(part.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(part.c_str());
-    fail_writing(path, error);
-  }
+  if (error != 0) fail_writing(path, error);
+  unfinished.keep();
 }
 
 void remove_parts(const std::filesystem::path& path) {

@@ -45,7 +45,7 @@ void write_figures(const CommonOptions& common, const FigureOptions& options,
       const report::GnuplotFiles files = report::gnuplot_files(figures[k], format);
       base::write_whole(in_folder(options, figures[k], "csv"), files.table);
       base::write_whole(in_folder(options, figures[k], "gp"), files.script);
-      if (drawn) draw(in_folder(options, figures[k], "gp"), in_folder(options, figures[k], options.format));
+      if (drawn) draw(files, in_folder(options, figures[k], options.format));
       show(static_cast<double>(k + 1), static_cast<double>(figures.size()));
     }
   }

@@ -12,6 +12,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/parallel.hpp"
+#include "base/stop.hpp"
 #include "cli/lab_results.hpp"
 #include "dem2d/lab/lab_picture.hpp"
 #include "dem2d/lab/lab_test.hpp"
@@ -287,7 +288,9 @@ void run(const Options& options) {
   const Plan plan = make_plan(options);
   require_outputs(options.common, {options.rock_file, options.specimen_file}, output_files(options, plan));
   if (options.common.check) return print_plan(options, plan);
+  std::optional<base::Saving> saving(std::in_place);
   const LabResults results = run_all(options, plan);
+  if (!results.ended_by) saving.reset();
   const nlohmann::json json = result_json(options, plan, results);
   print_table(options.common, results);
   if (json.contains("rate_check")) print_rate_check(options.common, json);

@@ -46,7 +46,7 @@ void run(const Options& options) {
     for (const surrogate::Variable& input : model.inputs)
       ranges += fmt::format("{}{} {:g} to {:g}", ranges.empty() ? "" : ", ", input.name, input.low, input.high);
     if (options.strict) throw base::InputError(fmt::format("outside the training range ({})", ranges));
-    fmt::print(stderr, "bitrock: warning: outside the training range ({}); this is an extrapolation\n", ranges);
+    warn(options.common, fmt::format("outside the training range ({}); this is an extrapolation", ranges));
   }
   for (const auto& [axis, p] : {std::pair{"x", prediction.x}, std::pair{"y", prediction.y}}) {
     say(options.common, "{}: A_max {:.4g} kN/m, A_mean {:.4g} kN/m, peaks per metre {:.4g} + {:.4g} + {:.4g}\n", axis,
