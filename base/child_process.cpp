@@ -13,7 +13,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
 #include <sstream>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "base/stop.hpp"
@@ -40,8 +42,31 @@ struct Descriptor {
   throw SimulationError(fmt::format("cannot run {}: {}", program, std::strerror(error)));
 }
 
+/// Programs that run, each the head of a group of processes. The lock is held while one is started, so that none
+/// escapes `end_programs`.
+struct Running {
+  std::mutex mutex;
+  std::vector<pid_t> all;
+};
+
+/// Never destroyed: threads may still work while bitrock ends.
+Running& running() {
+  static auto* const all = new Running;
+  return *all;
+}
+
+/// A program gets a group of its own, so that what it starts can be ended with it, and a SIGPIPE that works.
+void set_signals_and_group(posix_spawnattr_t& attributes) {
+  sigset_t pipe;
+  ::sigemptyset(&pipe);
+  ::sigaddset(&pipe, SIGPIPE);
+  posix_spawnattr_setsigdefault(&attributes, &pipe);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+}
+
 /// Starts the program with both outputs going to `sink`.
-pid_t start(const std::vector<std::string>& arguments, int sink) {
+pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& folder, int sink) {
   std::vector<char*> argv;
   argv.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -51,14 +76,32 @@ pid_t start(const std::vector<std::string>& arguments, int sink) {
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&actions, sink, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, sink, STDERR_FILENO);
+  if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  set_signals_and_group(attributes);
   pid_t child = 0;
-  const int error = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
+  int error = 0;
+  {
+    const std::lock_guard lock(running().mutex);
+    error = posix_spawnp(&child, argv[0], &actions, &attributes, argv.data(), environ);
+    if (error == 0) running().all.push_back(child);
+  }
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) fail(arguments[0], error);
   return child;
 }
 
+/// The number of a process is free for others once it has been waited for; so it is forgotten just before.
 int wait_for(pid_t child) {
+  siginfo_t seen{};
+  while (::waitid(P_PID, static_cast<id_t>(child), &seen, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
+  }
+  {
+    const std::lock_guard lock(running().mutex);
+    std::erase(running().all, child);
+  }
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
@@ -91,20 +134,23 @@ bool is_installed(const std::string& program) {
   return false;
 }
 
-ProgramEnd run_program(const std::vector<std::string>& arguments) {
+ProgramEnd run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(arguments.at(0), errno);
   Descriptor source{ends[0]}, sink{ends[1]};
-  const pid_t child = start(arguments, sink.number);
+  const pid_t child = start(arguments, folder, sink.number);
   sink.close();
   ProgramEnd end;
-  if (!collect(source.number, end.output)) {
-    ::kill(child, SIGTERM);
-    wait_for(child);
-    throw_if_stopped();
-  }
+  // what it makes is thrown away when the user stops, so there is nothing that it could still bring in order
+  if (!collect(source.number, end.output)) ::kill(-child, SIGKILL);
   end.status = wait_for(child);
+  throw_if_stopped();
   return end;
+}
+
+void end_programs() {
+  running().mutex.lock();  // and never unlocked
+  for (const pid_t child : running().all) ::kill(-child, SIGKILL);
 }
 
 }  // namespace base

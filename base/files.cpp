@@ -13,6 +13,7 @@
 #include <random>
 
 #include "base/errors.hpp"
+#include "base/unfinished.hpp"
 
 namespace base {
 
@@ -178,6 +179,7 @@ bool is_there(const std::filesystem::path& path) {
 PartFile::PartFile(const std::filesystem::path& path) : path_(path), target_(behind_link(path)) {
   descriptor_ = open_part(target_, part_);
   if (descriptor_ < 0) fail_writing(path_, errno);
+  unfinished_.add(part_);
   static_cast<void>(::flock(descriptor_, LOCK_EX | LOCK_NB));  // where there are no locks, nobody looks for them either
   struct stat replaced;
   const bool replaces = ::stat(target_.c_str(), &replaced) == 0 && S_ISREG(replaced.st_mode);
@@ -189,10 +191,12 @@ PartFile::~PartFile() {
   if (descriptor_ < 0) return;
   ::unlink(part_.c_str());  // while it is locked, so that nobody takes it for left over
   ::close(descriptor_);
+  unfinished_.keep();
 }
 
 void PartFile::put_in_place() {
   if (::fsync(descriptor_) != 0 || ::rename(part_.c_str(), target_.c_str()) != 0) fail_writing(path_, errno);
+  unfinished_.keep();
   ::close(descriptor_);
   descriptor_ = -1;
 }

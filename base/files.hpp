@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/unfinished.hpp"
+
 namespace base {
 
 /// The whole file as bytes. Throws `InputError` naming the path when it cannot be read, at once also for what is no
@@ -33,6 +35,7 @@ class PartFile {
 
  private:
   std::filesystem::path path_, target_, part_;
+  Unfinished unfinished_;  ///< the part
   int descriptor_ = -1;  ///< locked with flock(2), so that others see that it is being written; -1: put in place
 };
 

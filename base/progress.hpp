@@ -1,6 +1,7 @@
 #pragma once
 /// One line that tells how far a long computation is, how fast, and how long it will still take.
-/// On a terminal the line redraws itself; elsewhere a fresh line appears now and then. Writes to standard error.
+/// On a terminal the line redraws itself; elsewhere a fresh line appears now and then, the first after a second.
+/// Writes to standard error; whether anybody can read it does not matter to the work.
 
 #include <chrono>
 #include <functional>
@@ -28,6 +29,13 @@ class ProgressLine {
   bool enabled_, terminal_, drawn_ = false;
   std::chrono::steady_clock::time_point start_, last_;
 };
+
+/// Prints on standard error, as far as that can be written to. Whoever prints to the user calls `spoke`.
+void tell(const std::string& text);
+void spoke();
+/// How long ago anything was printed [s]; before that, since the program began.
+double silent_for();
+bool has_spoken();
 
 /// 95 s as "1 min 35 s"; 5400 s as "1 h 30 min".
 std::string readable_duration(double seconds);

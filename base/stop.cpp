@@ -13,4 +13,25 @@ void throw_if_stopped() {
   if (stop_requested().load(std::memory_order_relaxed)) throw Interrupted("stopped by the user");
 }
 
+namespace {
+
+std::atomic<int>& savers() {
+  static std::atomic<int> count{0};
+  return count;
+}
+
+}  // namespace
+
+Saving::Saving() {
+  ++savers();
+}
+
+Saving::~Saving() {
+  --savers();
+}
+
+bool is_saving() {
+  return savers() > 0;
+}
+
 }  // namespace base

@@ -11,4 +11,15 @@ std::atomic<bool>& stop_requested();
 /// Throws `Interrupted` when a stop was requested.
 void throw_if_stopped();
 
+/// In a computation that looks at the stop and then saves what is finished: while one of these lives the program
+/// (cli/watch.hpp) waits for it, where it would otherwise end in the midst of things.
+class Saving {
+ public:
+  Saving();
+  ~Saving();
+  Saving(const Saving&) = delete;
+  Saving& operator=(const Saving&) = delete;
+};
+bool is_saving();
+
 }  // namespace base

@@ -42,7 +42,7 @@ void require_same_cut(const FeatureRow& row, const Job& job, const std::string& 
 
 void accept(Accepted& accepted, const Study& study, const std::filesystem::path& table) {
   std::map<std::string, Job> by_hash;
-  for (Job& job : jobs(study)) by_hash.emplace(job_hash(job), std::move(job));
+  for_each_job(study, [&by_hash](const Job& job) { by_hash.emplace(job_hash(job), job); });
   FeatureTable read = read_features(table);
   for (std::size_t i = 0; i < read.rows.size(); ++i) {
     FeatureRow& row = read.rows[i];
@@ -90,10 +90,10 @@ Acceptance keep_accepted(const Study& study, const std::filesystem::path& folder
   result.added = static_cast<int>(result.all.rows.size()) - before;
   if (result.added == 0) return result;
   std::vector<FeatureRow> rows;
-  for (const Job& job : jobs(study)) {
+  for_each_job(study, [&](const Job& job) {
     const auto row = result.all.rows.find(job_hash(job));
     if (row != result.all.rows.end()) rows.push_back(row->second);
-  }
+  });
   base::write_whole(file, features_csv(rows));
   return result;
 }

@@ -22,8 +22,8 @@ Collection collect(const Study& study, const std::filesystem::path& folder) {
   require_folder(study, folder);
   const Accepted accepted = accepted_rows(study, folder);
   Collection collection{.warnings = accepted.warnings};
-  for (const Job& job : jobs(study)) {
-    const auto row = accepted.rows.find(job_hash(job));
+  for_each_job(study, [&](const Job& job) {
+    const auto row = accepted.rows.empty() ? accepted.rows.end() : accepted.rows.find(job_hash(job));
     if (const auto file = finished_run(folder, job)) {
       collection.rows.push_back(row_of(job, file->run));
       const bool differs = row != accepted.rows.end() && !same_result(collection.rows.back(), row->second);
@@ -31,7 +31,7 @@ Collection collect(const Study& study, const std::filesystem::path& folder) {
     } else if (row != accepted.rows.end()) {
       collection.rows.push_back(row->second);
     }
-  }
+  });
   return collection;
 }
 

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
 #include "base/files.hpp"
+#include "base/stop.hpp"
 #include "base/units.hpp"
 
 namespace campaigns {
@@ -95,8 +96,20 @@ Path rock_path(const Path& folder, const Job& job) {
                      base::in_units(job.cut.bed_height, base::mm), job.seed);
 }
 
+std::unordered_set<std::string> file_names(const Path& folder) {
+  std::unordered_set<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    base::throw_if_stopped();
+    names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
 std::optional<dem2d::RunFile> finished_run(const Path& folder, const Job& job) {
-  return dem2d::read_complete_run(run_path(folder, job), job_hash(job));
+  const Path path = run_path(folder, job);
+  if (!std::filesystem::exists(path)) return std::nullopt;  // the hash of a job takes longer than to look
+  return dem2d::read_complete_run(path, job_hash(job));
 }
 
 void write_record(const RunningRecord& record, const Path& path) {

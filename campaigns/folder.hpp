@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <unordered_set>
 
 #include "campaigns/study.hpp"
 #include "dem2d/output/run_file.hpp"
@@ -32,6 +33,9 @@ std::filesystem::path run_path(const std::filesystem::path& folder, const Job& j
 std::filesystem::path running_path(const std::filesystem::path& folder, const Job& job);
 std::filesystem::path failure_path(const std::filesystem::path& folder, const Job& job);
 std::filesystem::path rock_path(const std::filesystem::path& folder, const Job& job);
+
+/// What a folder holds, read at once: a study may have a million jobs, of which hardly any has left something in it.
+std::unordered_set<std::string> file_names(const std::filesystem::path& folder);
 
 /// The run of a job when there is a good one, otherwise empty.
 std::optional<dem2d::RunFile> finished_run(const std::filesystem::path& folder, const Job& job);

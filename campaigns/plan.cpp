@@ -1,7 +1,9 @@
 #include "campaigns/plan.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "base/files.hpp"
 #include "campaigns/folder.hpp"
@@ -28,17 +30,51 @@ double critical_step_of_sample(const Study& study) {
   return dem2d::make_cut_world(cut, dem2d::make_specimen(cut.rock, side, side, seed, 1)).step;
 }
 
-PlanPart& part_of(std::vector<PlanPart>& parts, const Job& job) {
-  const auto found = std::find_if(parts.begin(), parts.end(),
-                                  [&](const PlanPart& part) { return part.depth_of_cut == job.cut.depth_of_cut; });
-  if (found != parts.end()) return *found;
-  parts.push_back({.depth_of_cut = job.cut.depth_of_cut,
-                   .cut_length = job.cut.cut_length,
-                   .bed_length = job.cut.bed_length,
-                   .bed_height = job.cut.bed_height,
-                   .discs = dem2d::expected_discs(job.cut.rock, dem2d::moving_length(job.cut), job.cut.bed_height)});
-  return parts.back();
+PlanPart new_part(const Job& job) {
+  return {.depth_of_cut = job.cut.depth_of_cut,
+          .cut_length = job.cut.cut_length,
+          .bed_length = job.cut.bed_length,
+          .bed_height = job.cut.bed_height,
+          .discs = dem2d::expected_discs(job.cut.rock, dem2d::moving_length(job.cut), job.cut.bed_height)};
 }
+
+/// What tells rocks of one study apart: bed and seed.
+std::tuple<double, double, int> rock_of(const Job& job) {
+  return {job.cut.bed_length, job.cut.bed_height, job.seed};
+}
+using Rocks = std::set<std::tuple<double, double, int>>;
+
+/// Adds what is not done to a plan, job by job.
+class Cost {
+ public:
+  Cost(Plan& plan, std::filesystem::path folder, double critical_step, double seconds_per_disc_step)
+      : plan_(plan), folder_(std::move(folder)), critical_step_(critical_step), per_disc_step_(seconds_per_disc_step) {}
+
+  void add(const Job& job) {
+    const double steps = static_cast<double>(dem2d::plan_steps(job.cut, critical_step_).steps());
+    const auto [place, is_new_depth] = parts_.try_emplace(job.cut.depth_of_cut, plan_.parts.size());
+    if (is_new_depth) plan_.parts.push_back(new_part(job));
+    PlanPart& part = plan_.parts[place->second];
+    const double core_time = steps * part.discs * per_disc_step_;
+    ++part.jobs;
+    part.steps += steps;
+    part.core_time += core_time;
+    plan_.steps += steps;
+    plan_.disc_steps += steps * part.discs;
+    plan_.core_time += core_time;
+    plan_.longest_cut = std::max(plan_.longest_cut, core_time);
+    plan_.most_discs = std::max(plan_.most_discs, part.discs);
+    const bool is_new_rock = rocks_.insert(rock_of(job)).second;
+    if (is_new_rock && (folder_.empty() || !has_rock(folder_, job))) ++plan_.rocks_to_make;
+  }
+
+ private:
+  Plan& plan_;
+  std::filesystem::path folder_;
+  double critical_step_, per_disc_step_;  ///< [s]
+  std::map<double, std::size_t> parts_;   ///< by depth
+  Rocks rocks_;
+};
 
 }  // namespace
 
@@ -48,38 +84,22 @@ double work(const Job& job) {
 }
 
 Plan plan(const Study& study, const std::filesystem::path& folder, double ns_per_disc_step) {
-  Plan plan;
-  std::vector<Job> missing = jobs(study);
-  std::set<std::filesystem::path> rocks, rocks_looked_at;
-  for (const Job& job : missing) rocks.insert(rock_path(folder, job));
-  plan.jobs = static_cast<int>(missing.size());
+  Plan plan{.jobs = count_jobs(study)};
   plan.cases = plan.jobs / static_cast<int>(study.seeds.size());
+  Rocks rocks;
+  for_each_job(study, [&rocks](const Job& job) { rocks.insert(rock_of(job)); });
   plan.rocks = static_cast<int>(rocks.size());
-  if (!folder.empty() && base::is_there(folder / "study.toml")) {
-    const Survey survey = look(study, folder);
-    plan.done = survey.status.done;
-    plan.failed = survey.status.failed;
-    plan.core_seconds = survey.status.core_seconds;
-    missing = survey.missing;
-  }
 
-  const double critical_step = critical_step_of_sample(study);
-  for (const Job& job : missing) {
-    const dem2d::CutSchedule schedule = dem2d::plan_steps(job.cut, critical_step);
-    const double steps = static_cast<double>(schedule.steps());
-    PlanPart& part = part_of(plan.parts, job);
-    const double core_time = steps * part.discs * ns_per_disc_step * 1e-9;
-    ++part.jobs;
-    part.steps += steps;
-    part.core_time += core_time;
-    plan.steps += steps;
-    plan.disc_steps += steps * part.discs;
-    plan.core_time += core_time;
-    plan.longest_cut = std::max(plan.longest_cut, core_time);
-    plan.most_discs = std::max(plan.most_discs, part.discs);
-    const auto [rock, is_new] = rocks_looked_at.insert(rock_path(folder, job));
-    if (is_new && (folder.empty() || !has_rock(folder, job))) ++plan.rocks_to_make;
+  Cost cost(plan, folder, critical_step_of_sample(study), ns_per_disc_step * 1e-9);
+  const auto add = [&cost](const Job& job) { cost.add(job); };
+  if (folder.empty() || !base::is_there(folder / "study.toml")) {
+    for_each_job(study, add);
+    return plan;
   }
+  const Survey survey = look(study, folder, add);
+  plan.done = survey.status.done;
+  plan.failed = survey.status.failed;
+  plan.core_seconds = survey.status.core_seconds;
   return plan;
 }
 

@@ -81,7 +81,8 @@ class Running {
 /// The jobs of one call, handed out one by one; those that other runners hold come back until they are done or free.
 class Queue {
  public:
-  explicit Queue(std::vector<Job> jobs) : waiting_(jobs.begin(), jobs.end()) {}
+  explicit Queue(std::vector<Job> jobs)
+      : waiting_(std::make_move_iterator(jobs.begin()), std::make_move_iterator(jobs.end())) {}
 
   /// Empty when nothing is left to begin.
   std::optional<Job> next() {
@@ -149,13 +150,15 @@ class Tally {
 /// Jobs of this shard that are not done, longest first, so that the last worker does not sit with the longest job.
 std::vector<Job> pending_jobs(const Study& study, const Path& folder, const RunOptions& options) {
   const Accepted accepted = accepted_rows(study, folder);
+  const std::unordered_set<std::string> runs = file_names(folder / "runs");
   std::vector<Job> pending;
   int number = 0;
-  for (Job& job : jobs(study)) {
+  for_each_job(study, [&](const Job& job) {
     const bool mine = number++ % options.shards == options.shard - 1;
-    if (!mine || accepted.rows.contains(job_hash(job)) || finished_run(folder, job)) continue;
-    pending.push_back(std::move(job));
-  }
+    if (!mine || (!accepted.rows.empty() && accepted.rows.contains(job_hash(job)))) return;
+    if (runs.contains(job_name(job) + ".h5") && finished_run(folder, job)) return;
+    pending.push_back(job);
+  });
   std::stable_sort(pending.begin(), pending.end(), [](const Job& a, const Job& b) { return work(a) > work(b); });
   return pending;
 }
@@ -222,10 +225,11 @@ void work_off(Queue& queue, const Path& folder, RockStore& rocks, Tally& tally) 
 void run(const Study& study, const Path& folder, const RunOptions& options) {
   open_folder(study, folder);
   clear_dead_records(folder);
-  const std::vector<Job> pending = pending_jobs(study, folder, options);
+  std::vector<Job> pending = pending_jobs(study, folder, options);
+  const int workers = std::min(options.workers, static_cast<int>(pending.size()));
   RockStore rocks(folder, options.on_stage);
-  Queue queue(pending);
   Tally tally(pending, options);
+  Queue queue(std::move(pending));
   const auto worker = [&](int) {
     try {
       work_off(queue, folder, rocks, tally);
@@ -235,18 +239,16 @@ void run(const Study& study, const Path& folder, const RunOptions& options) {
     }
   };
   try {
-    const int workers = std::min(options.workers, static_cast<int>(pending.size()));
     base::for_each_index(workers, workers, worker);
   } catch (const base::Interrupted&) {
     throw base::Interrupted(fmt::format(
         "stopped by the user: {} of {} jobs of this call are finished and kept; the same command goes on with the rest",
         tally.finished(), tally.total()));
   } catch (const base::OutputError& error) {
-    throw base::OutputError(
-        fmt::format("{}\nbitrock: {} of {} jobs of this call are finished and kept; make room, and the same command "
-                    "goes on with the "
-                    "rest",
-                    error.what(), tally.finished(), tally.total()));
+    throw base::OutputError(fmt::format(
+        "{}; {} of {} jobs of this call are finished and kept; make room, and the same command goes on with "
+        "the rest",
+        error.what(), tally.finished(), tally.total()));
   }
 }
 

@@ -20,6 +20,17 @@ using Path = std::filesystem::path;
 
 constexpr double signal_seconds = 60.0;  // before its time is over a task is told to end
 
+/// A path that can stand in a script: in one line, which begins no other.
+std::string checked(const Path& path) {
+  std::string text = path.string();
+  const bool good = std::none_of(text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; });
+  if (!good) {
+    throw base::InputError(
+        fmt::format("{}: a path with a control character or a new line cannot be given to Slurm", text));
+  }
+  return text;
+}
+
 /// For the shell.
 std::string quoted(const std::string& text) {
   std::string result = "'";
@@ -29,11 +40,9 @@ std::string quoted(const std::string& text) {
 
 /// For a line of options, where Slurm knows double quotes and nothing to escape them.
 std::string option_text(const Path& path) {
-  const std::string text = path.string();
-  if (text.find_first_of("\"\\\n") != std::string::npos) {
-    throw base::InputError(
-        fmt::format("{}: a path with a quote, a backslash or a new line cannot be given to Slurm", text));
-  }
+  const std::string text = checked(path);
+  if (text.find_first_of("\"\\") != std::string::npos)
+    throw base::InputError(fmt::format("{}: a path with a quote or a backslash cannot be given to Slurm", text));
   return '"' + text + '"';
 }
 
@@ -53,7 +62,7 @@ std::string header(const std::string& what, const std::string& name, const Path&
 
 /// With the study that the folder keeps: whatever becomes of the file it was read from, the tasks do the same work.
 std::string command(const Path& program, const std::string& action, const Path& folder) {
-  return fmt::format("exec {} campaign {} --dir {}", quoted(program.string()), action, quoted(folder.string()));
+  return fmt::format("exec {} campaign {} --dir {}", quoted(checked(program)), action, quoted(checked(folder)));
 }
 
 }  // namespace
@@ -97,7 +106,7 @@ std::vector<std::string> warnings(const Plan& plan, const SlurmOptions& options,
 
 SlurmScripts write_slurm_scripts(const Study& study, const Path& folder, const Path& program,
                                  const SlurmOptions& options) {
-  const auto count = static_cast<int>(jobs(study).size());
+  const int count = count_jobs(study);
   const Path where = std::filesystem::absolute(folder).lexically_normal();
   SlurmScripts scripts{.array = where / "slurm" / "array.sh",
                        .collect = where / "slurm" / "collect.sh",

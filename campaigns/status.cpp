@@ -31,35 +31,55 @@ void estimate_rest(Survey& survey, double work_done, double work_remaining) {
 
 }  // namespace
 
-Survey look(const Study& study, const std::filesystem::path& folder) {
+namespace {
+
+/// What is in the folder. Jobs under way are listed first: one that ends while we look is then asked for its run.
+struct Inventory {
+  explicit Inventory(const std::filesystem::path& folder)
+      : running(file_names(folder / "running")),
+        runs(file_names(folder / "runs")),
+        failed(file_names(folder / "failed")) {}
+  bool holds_record(const std::string& name) const { return running.contains(name + ".toml.lock"); }
+  bool holds_run(const std::string& name) const { return runs.contains(name + ".h5") || holds_record(name); }
+  bool holds_failure(const std::string& name) const { return failed.contains(name + ".txt"); }
+
+  std::unordered_set<std::string> running, runs, failed;
+};
+
+}  // namespace
+
+Survey look(const Study& study, const std::filesystem::path& folder,
+            const std::function<void(const Job&)>& on_missing) {
   require_folder(study, folder);
   const Accepted accepted = accepted_rows(study, folder);
+  const Inventory inventory(folder);
   Survey survey;
   Status& status = survey.status;
   double work_done = 0.0, work_remaining = 0.0;
-  for (Job& job : jobs(study)) {
+  for_each_job(study, [&](const Job& job) {
     ++status.cases;
+    const std::string name = job_name(job);
     // asked first: a job that ends while we look is then counted as running, not as neither running nor done
-    const auto record = running_record(folder, job);
-    const auto row = accepted.rows.find(job_hash(job));
-    const auto file = record ? std::nullopt : finished_run(folder, job);
+    const auto record = inventory.holds_record(name) ? running_record(folder, job) : std::nullopt;
+    const auto row = accepted.rows.empty() ? accepted.rows.end() : accepted.rows.find(job_hash(job));
+    const auto file = !record && inventory.holds_run(name) ? finished_run(folder, job) : std::nullopt;
     if (file || row != accepted.rows.end()) {
       ++status.done;
       status.core_seconds += file ? file->run.core_time : row->second.core_time;
       work_done += work(job);
-      continue;
+      return;
     }
     if (record) {
       ++status.running;
       survey.running.push_back({job, *record});
-    } else if (base::is_there(failure_path(folder, job))) {
+    } else if (inventory.holds_failure(name)) {
       ++status.failed;
     } else {
       ++status.remaining;
       work_remaining += work(job);
     }
-    survey.missing.push_back(std::move(job));
-  }
+    if (on_missing) on_missing(job);
+  });
   estimate_rest(survey, work_done, work_remaining);
   return survey;
 }

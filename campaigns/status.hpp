@@ -2,6 +2,7 @@
 /// What a campaign's folder says: done, under way, failed, remaining; and how long the rest will take. Looks only.
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,11 +28,12 @@ struct RunningJob {
 struct Survey {
   Status status;
   std::vector<RunningJob> running;
-  std::vector<Job> missing;  ///< not done: running, failed and remaining
 };
 
-/// Throws `base::InputError` when the folder is none of a campaign, or belongs to another study.
-Survey look(const Study& study, const std::filesystem::path& folder);
+/// `on_missing` is told of each job that is not done: running, failed and remaining. Throws `base::InputError` when the
+/// folder is none of a campaign, or belongs to another study, and `base::Interrupted` when the user stops.
+Survey look(const Study& study, const std::filesystem::path& folder,
+            const std::function<void(const Job&)>& on_missing = {});
 Status status(const Study& study, const std::filesystem::path& folder);
 
 }  // namespace campaigns

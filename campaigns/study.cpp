@@ -6,9 +6,11 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <unordered_set>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
+#include "base/stop.hpp"
 #include "base/unit_hint.hpp"
 #include "base/units.hpp"
 
@@ -193,26 +195,33 @@ dem2d::CutCase sized(dem2d::CutCase cut, const ByDepth& by_depth) {
   return cut;
 }
 
-/// One cut a case, in order.
-std::vector<dem2d::CutCase> cases(const Study& study) {
-  std::vector<dem2d::CutCase> all;
-  const auto add = [&](double speed, double depth, double rake) {
+std::size_t count_cases(const Study& study) {
+  const Grid& grid = study.grid;
+  return study.table.cutter_speed.size() +
+         grid.cutter_speeds.size() * grid.depths_of_cut.size() * grid.back_rakes.size();
+}
+
+/// One cut a case, in order, with its number.
+template <class Function>
+void for_each_case(const Study& study, const Function& function) {
+  int number = 0;
+  const auto give = [&](double speed, double depth, double rake) {
+    base::throw_if_stopped();
     dem2d::CutCase cut = study.common;
     cut.cutter_speed = speed;
     cut.depth_of_cut = depth;
     cut.back_rake = rake;
-    all.push_back(study.by_depth ? sized(std::move(cut), *study.by_depth) : std::move(cut));
+    function(++number, study.by_depth ? sized(std::move(cut), *study.by_depth) : std::move(cut));
   };
   const Table& table = study.table;
   for (std::size_t i = 0; i < table.cutter_speed.size(); ++i) {
-    add(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i]);
+    give(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i]);
   }
   for (const double speed : study.grid.cutter_speeds) {
     for (const double depth : study.grid.depths_of_cut) {
-      for (const double rake : study.grid.back_rakes) add(speed, depth, rake);
+      for (const double rake : study.grid.back_rakes) give(speed, depth, rake);
     }
   }
-  return all;
 }
 
 }  // namespace
@@ -231,10 +240,9 @@ Study read_study(const std::filesystem::path& path) {
   if (has_repeats(study.seeds)) file.refuse("", "seeds", "each value may appear once");
   refuse_too_many(study, path.string());
   if (!inside) study.common.rock = dem2d::read_rock(file.resolve(study.common.rock_file));
-  int number = 0;
-  for (const dem2d::CutCase& cut : cases(study)) {
-    dem2d::check_cut_case(cut, fmt::format("{}: case {}", path.string(), ++number));
-  }
+  for_each_case(study, [&path](int number, const dem2d::CutCase& cut) {
+    dem2d::check_cut_case(cut, fmt::format("{}: case {}", path.string(), number));
+  });
   return study;
 }
 
@@ -270,23 +278,36 @@ std::string exact_toml(const Study& study) {
   return base::to_exact_toml(describe_resolved(copy));
 }
 
+int count_jobs(const Study& study) {
+  return static_cast<int>(count_cases(study) * study.seeds.size());
+}
+
+void for_each_job(const Study& study, const std::function<void(const Job&)>& function) {
+  for_each_case(study, [&](int number, dem2d::CutCase cut) {
+    Job job{.case_number = number, .cut = std::move(cut)};
+    for (const int seed : study.seeds) {
+      base::throw_if_stopped();
+      job.seed = seed;
+      function(job);
+    }
+  });
+}
+
 std::vector<Job> jobs(const Study& study) {
   std::vector<Job> all;
-  int case_number = 0;
-  for (const dem2d::CutCase& cut : cases(study)) {
-    ++case_number;
-    for (const int seed : study.seeds) all.push_back({.case_number = case_number, .seed = seed, .cut = cut});
-  }
+  all.reserve(static_cast<std::size_t>(count_jobs(study)));
+  for_each_job(study, [&all](const Job& job) { all.push_back(job); });
   return all;
 }
 
 std::vector<std::string> warnings(const Study& study) {
   std::vector<std::string> all;
-  for (const dem2d::CutCase& cut : cases(study)) {
-    for (const std::string& warning : dem2d::warnings(cut)) {
-      if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
+  std::unordered_set<std::string> seen;
+  for_each_case(study, [&](int, const dem2d::CutCase& cut) {
+    for (std::string& warning : dem2d::warnings(cut)) {
+      if (seen.insert(warning).second) all.push_back(std::move(warning));
     }
-  }
+  });
   return all;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,8 +61,12 @@ struct Job {
   dem2d::CutCase cut;
 };
 
-/// Throws `base::InputError` for wrong values, repeated values, cases or seeds, sizes given twice, and for any case
-/// that does not fit its bed.
+/// The most cuts of a study, cases times seeds. A cut of campaigns/paper240.toml takes a core some 42 s (`bitrock
+/// campaign plan`), so many of them more than a year; lists that give more have values too many.
+inline constexpr int most_jobs = 1000000;
+
+/// Throws `base::InputError` for wrong values, repeated values, cases or seeds, sizes given twice, for any case that
+/// does not fit its bed, and for more than `most_jobs`.
 Study read_study(const std::filesystem::path& path);
 
 /// The study as TOML text with table and rock inside: two studies with the same text ask for the same runs.
@@ -70,7 +75,13 @@ std::string resolved_toml(const Study& study);
 /// The same, read back to the same bits: a study that needs no other file.
 std::string exact_toml(const Study& study);
 
-/// All cases times all seeds, in order of case number, then seed.
+int count_jobs(const Study& study);
+
+/// All cases times all seeds, in order of case number, then seed, one after the other: a list of a million would fill
+/// the memory. Throws `base::Interrupted` when the user stops the program meanwhile.
+void for_each_job(const Study& study, const std::function<void(const Job&)>& function);
+
+/// The same as a list.
 std::vector<Job> jobs(const Study& study);
 
 /// Warnings of the cases (`dem2d::warnings`), each once.

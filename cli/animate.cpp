@@ -5,6 +5,7 @@
 #include "base/files.hpp"
 #include "base/numbered_files.hpp"
 #include "base/stop.hpp"
+#include "base/temporary_folder.hpp"
 #include "cli/command.hpp"
 #include "dem2d/output/encoder.hpp"
 #include "dem2d/output/frame_file.hpp"
@@ -36,16 +37,21 @@ std::optional<dem2d::AnimationKind> kind_of(const fs::path& output) {
                   output.string(), extension));
 }
 
+/// All of them, or none.
 void draw_frames(const Options& options, const base::Hdf5Reader& frames, const dem2d::RunFile& run,
                  const fs::path& folder) {
+  base::Unfinished drawn;
   Progress progress(options.common, "drawing", "frames");
   const auto tell = progress.callback();
   for (int k = 0; k < run.frame_count; ++k) {
     base::throw_if_stopped();
-    base::write_whole(folder / dem2d::frame_name(k),
-                      dem2d::draw_snapshot(run, dem2d::read_frame(frames, k), options.width_px));
+    const fs::path picture = folder / dem2d::frame_name(k);
+    const std::string bytes = dem2d::draw_snapshot(run, dem2d::read_frame(frames, k), options.width_px);
+    if (!fs::exists(picture)) drawn.add(picture);  // one of before stays, whatever happens
+    base::write_whole(picture, bytes);
     tell(k + 1, run.frame_count);
   }
+  drawn.keep();
 }
 
 /// A viewer takes all frames it finds: those of a longer animation must not follow ours. Others call their frames so,
@@ -77,7 +83,7 @@ void run(const Options& options) {
   } else {
     require_outputs(options.common, {options.run_file}, {options.output});
     const std::string encoder = dem2d::find_encoder(*kind);
-    const dem2d::TemporaryFolder folder;
+    const base::TemporaryFolder folder;
     draw_frames(options, stored, file, folder.path());
     const std::string bytes =
         dem2d::encode_frames(encoder, *kind, file.frame_count, options.frames_per_second, folder.path());

@@ -2,6 +2,7 @@
 #include "cli/campaign.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -48,13 +49,14 @@ std::string described(const campaigns::Job& job) {
 void print_job(const campaigns::JobReport& report) {
   const std::string place = fmt::format("[{}/{}] {}", report.finished, report.total, described(*report.job));
   if (report.elsewhere) {
-    fmt::print("{} done by another runner\n", place);
+    print(place + " done by another runner\n");
   } else if (report.failed) {
-    fmt::print("{} FAILED: {}\n", place, report.message);
+    print(fmt::format("{} FAILED: {}\n", place, report.message));
   } else {
-    fmt::print("{} in {:.1f} s; about {} left\n", place, report.wall_time, base::readable_duration(report.time_left));
+    print(fmt::format("{} in {:.1f} s; about {} left\n", place, report.wall_time,
+                      base::readable_duration(report.time_left)));
   }
-  std::fflush(stdout);
+  flush_output();
 }
 
 void accept_tables(const CollectFlags& flags, const campaigns::Study& study) {
@@ -83,8 +85,8 @@ void run_campaign(const RunFlags& flags) {
   if (!options.common.quiet) {
     run.on_job = print_job;
     run.on_stage = [](const std::string& text) {
-      fmt::print("{}\n", text);
-      std::fflush(stdout);
+      print(text + "\n");
+      flush_output();
     };
   }
   campaigns::run(study, folder, run);
@@ -184,7 +186,11 @@ void find_study(CampaignOptions& options) {
 
 campaigns::Study study_of(const CampaignOptions& options) {
   campaigns::Study study = campaigns::read_study(options.study_file);
-  for (const std::string& warning : campaigns::warnings(study)) warn(options.common, warning);
+  constexpr std::size_t most_lines = 10;  // cases of a study may number a million
+  const std::vector<std::string> warnings = campaigns::warnings(study);
+  for (const std::string& warning : warnings | std::views::take(most_lines)) warn(options.common, warning);
+  if (warnings.size() > most_lines)
+    warn(options.common, fmt::format("and {} more warnings of this kind", warnings.size() - most_lines));
   return study;
 }
 

@@ -1,6 +1,8 @@
 // bitrock campaign plan: what a study will cost.
 #include "campaigns/plan.hpp"
 
+#include <ranges>
+
 #include "base/units.hpp"
 #include "cli/campaign.hpp"
 
@@ -9,6 +11,7 @@ namespace cli {
 namespace {
 
 constexpr double seconds_per_hour = 3600.0;
+constexpr std::size_t most_lines = 20;  // of depths: a table may hold a million
 
 struct Options {
   CampaignOptions campaign;
@@ -22,13 +25,14 @@ void print_plan(const CampaignOptions& options, const campaigns::Study& study, d
   const int remaining = plan.jobs - plan.done - plan.failed;
   say(options.common, "{} cases, {} cuts: {} done, {} failed, {} remaining; {} rocks, {} to be made\n", plan.cases,
       plan.jobs, plan.done, plan.failed, remaining, plan.rocks, plan.rocks_to_make);
-  for (const campaigns::PlanPart& part : plan.parts) {
+  for (const campaigns::PlanPart& part : plan.parts | std::views::take(most_lines)) {
     say(options.common,
         "depth {:g} mm: {} cuts of {:g} mm in {:g} x {:g} mm, {:.0f} discs; {:.3g} steps, {:.3g} core-hours\n",
         base::in_units(part.depth_of_cut, base::mm), part.jobs, base::in_units(part.cut_length, base::mm),
         base::in_units(part.bed_length, base::mm), base::in_units(part.bed_height, base::mm), part.discs, part.steps,
         part.core_time / seconds_per_hour);
   }
+  if (plan.parts.size() > most_lines) say(options.common, "and {} more depths\n", plan.parts.size() - most_lines);
   say(options.common,
       "{:.3g} steps, {:.3g} disc-steps: about {:.3g} core-hours at {:g} ns per disc and step; the longest "
       "cut {}\n",

@@ -1,19 +1,49 @@
 #include "cli/command.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <optional>
 #include <thread>
 
+#include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "base/unit_hint.hpp"
+#include "cli/watch.hpp"
 
 namespace cli {
 
+namespace {
+
+/// "bitrock campaign run".
+std::string full_name(const CLI::App& command) {
+  const CLI::App* above = command.get_parent();
+  return above == nullptr ? command.get_name() : full_name(*above) + " " + command.get_name();
+}
+
+/// Text from files and names of files stands in many results.
+std::string one_message(const std::string& text) {
+  std::string shown = base::printable(text, base::all_of_it);
+  for (std::size_t at = 0; (at = shown.find('\n', at)) != std::string::npos; at += 3) shown.replace(at, 1, "\n  ");
+  return shown;
+}
+
+[[noreturn]] void fail_printing(int error) {
+  if (error == EPIPE) throw base::ReaderGone();
+  throw base::OutputError(
+      fmt::format("cannot write to standard output: {}", error == EBADF ? "it is closed" : std::strerror(error)));
+}
+
+}  // namespace
+
 void add_common(CLI::App& command, CommonOptions& options) {
   command.add_option("--json", options.json_file, "write the result as JSON to this file")->check(not_empty());
-  command.add_flag("--quiet", options.quiet, "print nothing but errors");
+  command.add_flag("--quiet", options.quiet, "print only warnings and errors");
+  command.parse_complete_callback([&command, &options] { at_work(options.quiet ? "" : full_name(command)); });
 }
 
 void add_computing(CLI::App& command, CommonOptions& options) {
@@ -49,11 +79,30 @@ CLI::Validator not_empty() {
 
 void write_json(const CommonOptions& options, const nlohmann::json& result) {
   if (!options.json_file.empty())
-    base::write_whole(options.json_file, result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+    base::write_whole(
+        options.json_file,
+        base::json_with_visible_text(result.dump(2, ' ', false, nlohmann::json::error_handler_t::replace)) + "\n");
 }
 
-void warn(const CommonOptions& options, const std::string& what) {
-  if (!options.quiet) fmt::print(stderr, "bitrock: warning: {}\n", what);
+void print(const std::string& text) {
+  base::spoke();
+  const std::string shown = base::printable(text, base::all_of_it);
+  errno = 0;
+  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size()) fail_printing(errno);
+}
+
+void flush_output() {
+  errno = 0;
+  if (std::fflush(stdout) != 0) fail_printing(errno);
+}
+
+void tell_user(const std::string& message) {
+  std::fflush(stdout);  // what was printed before stands before it; whether that could be written is told elsewhere
+  base::tell("bitrock: " + one_message(message) + "\n");
+}
+
+void warn(const CommonOptions&, const std::string& what) {
+  tell_user("warning: " + what);
 }
 
 int cores() {

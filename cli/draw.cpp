@@ -5,23 +5,22 @@
 #include "base/child_process.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "report/gnuplot_text.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace cli {
 
-void draw(const std::filesystem::path& script, const std::filesystem::path& picture) {
-  const std::filesystem::path whole = std::filesystem::absolute(picture);
-  const std::string folder = std::filesystem::absolute(script).parent_path().string();
-  base::PartFile part(whole);
-  const base::ProgramEnd end = base::run_program(
-      {"gnuplot", "-e",
-       fmt::format("cd {}; picture = {}; load {}", report::quoted(folder), report::quoted(part.name().string()),
-                   report::quoted(script.filename().string()))});
-  if (end.status != 0) {
+void draw(const report::GnuplotFiles& files, const std::filesystem::path& picture) {
+  const base::TemporaryFolder folder;
+  base::write_whole(folder.path() / "script.gp", files.script);
+  base::write_whole(folder.path() / "table.csv", files.table);
+  const base::ProgramEnd end =
+      base::run_program({"gnuplot", "-d", "-e", "picture = 'picture'; data = 'table.csv'", "script.gp"}, folder.path());
+  const std::filesystem::path drawn = folder.path() / "picture";
+  if (end.status != 0 || !std::filesystem::exists(drawn)) {
     throw base::SimulationError(
         fmt::format("gnuplot could not draw {} (status {}): {}", picture.string(), end.status, end.output));
   }
-  part.put_in_place();
+  base::write_whole(picture, base::read_whole(drawn));
 }
 
 bool can_draw() {

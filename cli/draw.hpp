@@ -2,12 +2,15 @@
 /// gnuplot, run on a script that `report/` made.
 
 #include <filesystem>
+#include <string>
+
+#include "report/gnuplot.hpp"
 
 namespace cli {
 
-/// Runs `script` in its folder so that it draws `picture`, which is drawn aside and gets its name when it is whole.
-/// Throws `SimulationError` with gnuplot's words when it fails.
-void draw(const std::filesystem::path& script, const std::filesystem::path& picture);
+/// Draws `picture`, which gets its name when it is whole. gnuplot takes names that begin with < or | for commands, so
+/// it works in a folder of our own on names of our own. Throws `SimulationError` with gnuplot's words when it fails.
+void draw(const report::GnuplotFiles& files, const std::filesystem::path& picture);
 
 /// Whether it can, and what to say where it cannot.
 bool can_draw();

@@ -11,6 +11,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/parallel.hpp"
+#include "base/stop.hpp"
 #include "cli/bit_tallies.hpp"
 #include "cli/draw.hpp"
 #include "cli/drill_parts.hpp"
@@ -193,13 +194,13 @@ std::filesystem::path script_of(const Options& options) {
 void write_picture(const Options& options, const Study& study, const std::vector<Point>& points) {
   const std::filesystem::path picture = options.picture;
   const auto format = picture.extension() == ".pdf" ? report::PictureFormat::pdf : report::PictureFormat::png;
-  base::write_whole(script_of(options),
-                    report::heat_map_script(heat_map(study, points), picture.filename().string(), format));
+  const std::string script = report::heat_map_script(heat_map(study, points), picture.filename().string(), format);
+  base::write_whole(script_of(options), script);
   if (!can_draw()) {
     return warn(options.common,
                 fmt::format("{}, so nothing was drawn; the script is {}", no_gnuplot, script_of(options).string()));
   }
-  draw(script_of(options), picture);
+  draw({.script = script, .table = ""}, picture);
   say(options.common, "-> {}, drawn by {}\n", options.picture, script_of(options).string());
 }
 
@@ -307,6 +308,7 @@ void map(const Options& options) {
   require_outputs(options.common, inputs, outputs);
   const auto begin = std::chrono::steady_clock::now();
   std::vector<Point> points(static_cast<std::size_t>(study.runs()));
+  std::optional<base::Saving> saving(std::in_place);
   try {
     run_all(options, study, points);
   } catch (const base::Interrupted&) {
@@ -315,6 +317,7 @@ void map(const Options& options) {
          fmt::format("stopped: {} holds the finished runs; column status names the others", options.output));
     throw;
   }
+  saving.reset();
   base::write_whole(options.output, map_csv(points));
   report_points(options, study, points,
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());

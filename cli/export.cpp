@@ -6,6 +6,7 @@
 #include "base/files.hpp"
 #include "base/numbered_files.hpp"
 #include "base/stop.hpp"
+#include "base/unfinished.hpp"
 #include "cli/command.hpp"
 #include "dem2d/output/frame_file.hpp"
 #include "dem2d/output/vtk_export.hpp"
@@ -38,8 +39,10 @@ void remove_earlier(const Series& series, const fs::path& folder) {
   base::remove_numbered_files(folder / "frames", {.begin = series.name + "_", .end = ".vtp", .digits = digits});
 }
 
-void add_instant(Series& series, const fs::path& folder, int number, double time, const dem2d::VtkPolyData& data) {
+void add_instant(Series& series, const fs::path& folder, int number, double time, const dem2d::VtkPolyData& data,
+                 base::Unfinished& written) {
   const std::string file = fmt::format("frames/{}_{:0{}d}.vtp", series.name, number, digits);
+  written.add(folder / file);
   base::write_whole(folder / file, dem2d::vtp_text(data));
   series.instants.push_back({time, file});
   series.cells.push_back(data.offsets.size());
@@ -51,6 +54,7 @@ void export_vtk(const VtkOptions& options) {
   require_outputs(options.common, {options.run_file}, {});
   const fs::path folder = options.output;
   base::require_writable_folder(folder / "frames");
+  base::Unfinished written;  // all frames, or none
   Series discs{.name = "discs"}, joints{.name = "joints"}, cracks{.name = "cracks"}, cutter{.name = "cutter"};
   for (const Series& series : {discs, joints, cracks, cutter}) remove_earlier(series, folder);
   {
@@ -59,10 +63,10 @@ void export_vtk(const VtkOptions& options) {
     for (int k = 0; k < run.frame_count; ++k) {
       base::throw_if_stopped();
       const dem2d::Frame frame = dem2d::read_frame(frames, k);
-      add_instant(discs, folder, k, frame.time, dem2d::vtk_discs(frame));
-      if (!frame.velocity_x.empty()) add_instant(joints, folder, k, frame.time, dem2d::vtk_joints(frame));
-      add_instant(cracks, folder, k, frame.time, dem2d::vtk_cracks(run, frame));
-      add_instant(cutter, folder, k, frame.time, dem2d::vtk_cutter(run, frame));
+      add_instant(discs, folder, k, frame.time, dem2d::vtk_discs(frame), written);
+      if (!frame.velocity_x.empty()) add_instant(joints, folder, k, frame.time, dem2d::vtk_joints(frame), written);
+      add_instant(cracks, folder, k, frame.time, dem2d::vtk_cracks(run, frame), written);
+      add_instant(cutter, folder, k, frame.time, dem2d::vtk_cutter(run, frame), written);
       tell(k + 1, run.frame_count);
     }
   }
@@ -75,6 +79,7 @@ void export_vtk(const VtkOptions& options) {
     result[series.name] = series.cells;
     say(options.common, "-> {}\n", list.string());
   }
+  written.keep();
   if (run.frame_count == 1)
     say(options.common,
         "one instant only, the end of the cut (for more, make the run with `bitrock cut --frames N`)\n");

@@ -76,7 +76,7 @@ void write_figures(const CommonOptions& common, const FigureOptions& options,
       base::write_whole(in_folder(options, figures[k], "csv"), files.table);
       base::write_whole(in_folder(options, figures[k], "gp"), files.script);
       remove_other_pictures(options, figures[k], drawn);
-      if (drawn) draw(in_folder(options, figures[k], "gp"), in_folder(options, figures[k], options.format));
+      if (drawn) draw(files, in_folder(options, figures[k], options.format));
       show(static_cast<double>(k + 1), static_cast<double>(figures.size()));
     }
   }

@@ -13,6 +13,7 @@
 #include "base/files.hpp"
 #include "base/numbered_files.hpp"
 #include "base/parallel.hpp"
+#include "base/stop.hpp"
 #include "cli/lab_results.hpp"
 #include "dem2d/lab/lab_picture.hpp"
 #include "dem2d/lab/lab_test.hpp"
@@ -340,7 +341,9 @@ void run(const Options& options) {
                       fmt::format("# Made again by: {}\n\n{}", command_again(options, plan), rock_text(plan)));
     warn_of_other_seeds(options, plan);
   }
+  std::optional<base::Saving> saving(std::in_place);
   const LabResults results = run_all(options, plan);
+  if (!results.ended_by) saving.reset();
   const nlohmann::json json = result_json(options, plan, results);
   print_table(options.common, results);
   for (const dem2d::LabRun& tested : results.runs) {

@@ -1,30 +1,25 @@
 // bitrock: from lab rock to the force on a whole bit. Reads flags, runs one subcommand, turns what went wrong into an
-// exit status: 0 done, 2 the input is wrong, 3 the computation failed, 130 stopped by Ctrl-C.
+// exit status: 0 done, 2 the input is wrong, 3 the computation failed, 130 stopped by Ctrl-C, 141 whoever read our
+// output has gone.
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <sstream>
 
 #include "base/errors.hpp"
-#include "base/stop.hpp"
 #include "base/version.hpp"
 #include "cli/command.hpp"
 #include "cli/shipped.hpp"
 #include "cli/strict_numbers.hpp"
+#include "cli/watch.hpp"
 
 namespace {
 
-constexpr int wrong_input = 2, failed = 3, interrupted = 130;
-
-/// The first signal asks politely, between two steps; the second ends the program at once.
-extern "C" void on_stop_signal(int signal) {
-  if (base::stop_requested().exchange(true)) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-  }
-}
+constexpr int wrong_input = 2, failed = 3, reader_gone = 128 + SIGPIPE;
 
 /// Threads that wait for each other must sleep, not spin: on a machine with other work, spinning threads hold the cores
 /// that their partners need, and two threads become forty times slower than one. The OpenMP library reads this choice
@@ -36,19 +31,49 @@ void let_waiting_threads_sleep(char** argv) {
   ::execv("/proc/self/exe", argv);  // returns only when it failed: then go on as we are
 }
 
-int report(const char* prefix, const std::exception& error, int status) {
-  std::fflush(stdout);
-  std::fprintf(stderr, "bitrock: %s%s\n", prefix, error.what());
+/// A standard stream that is closed gets a number that nothing else may have: otherwise the first file that is opened
+/// would get it, and what is printed would end up there. Printing to it fails, as it would have.
+void fill_closed_streams() {
+  constexpr int as_if_closed[] = {O_WRONLY, O_RDONLY, O_WRONLY};  // but errors, which go nowhere
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", as_if_closed[stream]);
+  }
+}
+
+int report(const std::string& prefix, const std::exception& error, int status) {
+  cli::tell_user(prefix + error.what());
   return status;
+}
+
+/// The library's words for --help and for what is wrong with the flags.
+int report(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream help, complaint;
+  const bool good = app.exit(error, help, complaint) == 0;
+  if (!help.str().empty()) cli::print(help.str());
+  if (!complaint.str().empty()) cli::tell_user(complaint.str().substr(0, complaint.str().find_last_not_of('\n') + 1));
+  return good ? 0 : wrong_input;
+}
+
+int run(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int status = report(app, error);
+    cli::flush_output();
+    return status;
+  }
+  cli::flush_output();
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  fill_closed_streams();
   let_waiting_threads_sleep(argv);
-  std::signal(SIGINT, on_stop_signal);
-  std::signal(SIGTERM, on_stop_signal);
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is then an error of its write, like a full disk
+  std::signal(SIGPIPE, SIG_IGN);  // and so is a pipe whose reader is gone: nothing half-written stays
+  cli::Watch watch;
 
   CLI::App app{
       "bitrock: synthetic rock, cut by one PDC cutter, learnt by small networks, rebuilt as the force on a whole bit"};
@@ -74,20 +99,26 @@ int main(int argc, char** argv) {
   cli::read_numbers_strictly(app);
 
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : wrong_input;
+    const int status = run(app, argc, argv);
+    watch.end();
+    return status;
   } catch (const base::InputError& error) {
+    watch.end();
     return report("", error, wrong_input);
   } catch (const base::Interrupted& error) {
-    return report("", error, interrupted);
+    watch.end();
+    return report("", error, cli::interrupted);
+  } catch (const base::ReaderGone&) {
+    return reader_gone;
   } catch (const base::SimulationError& error) {
+    watch.end();
     return report("the computation failed: ", error, failed);
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "bitrock: the computation failed: not enough memory (fewer discs or samples need less)\n");
+    watch.end();
+    cli::tell_user("the computation failed: not enough memory (fewer discs or samples need less)");
     return failed;
   } catch (const std::exception& error) {
+    watch.end();
     return report("the computation failed: ", error, failed);
   }
-  return std::fflush(stdout) == 0 ? 0 : failed;
 }

@@ -1,11 +1,14 @@
 #include "report/encode.hpp"
 
+#include "base/text.hpp"
+
 namespace report {
 
 std::string html_text(std::string_view text) {
+  const std::string shown = base::printable(text, base::all_of_it);
   std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
+  safe.reserve(shown.size());
+  for (const char c : shown) {
     switch (c) {
       case '&':
         safe += "&amp;";

@@ -7,8 +7,9 @@
 
 namespace report {
 
-/// `&`, `<`, `>`, `"` and `'` as character references: safe as HTML text, inside a quoted attribute, and in the plot
-/// library, which reads a few tags and the same references in its labels [HtmlStandard, on serialising HTML].
+/// Text as `base::printable` shows it, with `&`, `<`, `>`, `"` and `'` as character references: safe as HTML text,
+/// inside a quoted attribute, and in the plot library, which reads a few tags and the same references in its labels
+/// [HtmlStandard, on serialising HTML].
 std::string html_text(std::string_view text);
 
 /// JSON text whose `<`, `>` and `&` are written as \u escapes: still the same JSON, but no value in it can end the

@@ -183,7 +183,7 @@ GnuplotFiles gnuplot_files(const Figure& figure, PictureFormat format) {
   const Sheet sheet = sheet_of(figure);
   files.script = fmt::format(
       "# {0}\n# Change what you like, then draw again: gnuplot {1}.gp\n\n"
-      "data = '{1}.csv'\nif (!exists('picture')) picture = '{1}.{2}'\n"
+      "if (!exists('data')) data = '{1}.csv'\nif (!exists('picture')) picture = '{1}.{2}'\n"
       "row(panel, series) = strcol(1) eq panel && strcol(2) eq series\n\n"
       "{3}set output picture\nset encoding utf8\nset datafile separator comma\nset grid lt 1 lw 0.8 lc rgb '#dddddd'\n"
       "set border lc rgb '#5b6774'\nset tics textcolor rgb '#1d2733'\nset errorbars small\nset multiplot\n",

@@ -25,7 +25,7 @@ enum class PictureFormat { png, pdf };
 const char* ending(PictureFormat format);
 
 struct GnuplotFiles {
-  std::string script;  ///< NAME.gp; reads NAME.csv and writes NAME.png, or the file its variable `picture` names
+  std::string script;  ///< NAME.gp; reads NAME.csv and writes NAME.png, or what its variables `data`, `picture` name
   std::string table;   ///< NAME.csv: panel, series, x, y, error_x, error_y, upper, label; an empty line is a gap
 };
 

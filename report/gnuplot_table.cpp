@@ -5,34 +5,45 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
+
 namespace report {
 
 namespace {
 
-/// Without line breaks and double quotes: gnuplot cannot read a double quote inside a quoted field of a table.
-std::string in_table(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
+/// As gnuplot can read it from a quoted field of a table: a double quote ends the field, and a backslash begins a sign
+/// that cannot be written, as in C.
+std::string in_table(const std::string& text) {
+  std::string safe = base::printable(text);
+  for (char& c : safe) {
+    if (c == '\n' || c == '\t') c = ' ';
     if (c == '"') c = '\'';
+    if (c == '\\') c = '/';
   }
-  return text;
+  return safe;
 }
 
 std::string field(const std::string& text) {
   return '"' + in_table(text) + '"';
 }
 
-/// The names by which the script finds its rows: a title or a series' name when no other has the same, or a number.
-/// gnuplot takes a comma for the end of a column, also between quotes, and would find nothing.
+/// A name by which the script finds rows. gnuplot takes a comma for the end of a column, also between quotes, and would
+/// find nothing.
+std::string key_of(const std::string& name) {
+  std::string key = in_table(name);
+  std::replace(key.begin(), key.end(), ',', ';');
+  return key;
+}
+
+/// A title or a series' name when no other has the same, or a number.
 template <class Item, class NameOf>
 std::vector<std::string> keys_of(const std::vector<Item>& items, const NameOf& name_of, const char* otherwise) {
   std::vector<std::string> keys;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const std::string& name = name_of(items[i]);
-    const auto same = [&](const Item& item) { return name_of(item) == name; };
+    const std::string key = key_of(name_of(items[i]));
+    const auto same = [&](const Item& item) { return key_of(name_of(item)) == key; };
     const bool alone = std::count_if(items.begin(), items.end(), same) == 1;
-    keys.push_back(alone && !name.empty() ? in_table(name) : fmt::format("{} {}", otherwise, i + 1));
-    std::replace(keys.back().begin(), keys.back().end(), ',', ';');
+    keys.push_back(alone && !key.empty() ? key : fmt::format("{} {}", otherwise, i + 1));
   }
   return keys;
 }

@@ -96,7 +96,7 @@ std::string heat_map_script(const HeatMap& map, const std::string& picture, Pict
   std::string text = fmt::format(
       "# {}\n# Change what you like, then draw again.\n\nif (!exists('picture')) picture = {}\n{}set output picture\n"
       "set encoding utf8\n{}",
-      quoted(map.title), quoted(picture), terminal(format), palette);
+      quoted(map.title), quoted_file(picture), terminal(format), palette);
   text += cells(map);
   for (std::size_t k = 0; k < map.curves.size(); ++k) text += curve_data(map.curves[k], k);
   text += fmt::format(

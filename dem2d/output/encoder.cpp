@@ -1,10 +1,6 @@
 #include "dem2d/output/encoder.hpp"
 
 #include <fmt/format.h>
-#include <stdlib.h>
-
-#include <cerrno>
-#include <cstring>
 
 #include "base/child_process.hpp"
 #include "base/errors.hpp"
@@ -50,19 +46,11 @@ std::vector<std::string> ffmpeg_coding(AnimationKind kind) {
   return {};
 }
 
+std::string animation_name(AnimationKind kind) {
+  return std::string("animation.") + extension_of(kind);
+}
+
 }  // namespace
-
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "bitrock_XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr)
-    throw base::OutputError(fmt::format("cannot make the folder {}: {}", name, std::strerror(errno)));
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
 
 std::string frame_name(int number) {
   return fmt::format("frame_{:04d}.png", number);
@@ -77,34 +65,30 @@ std::string find_encoder(AnimationKind kind) {
 }
 
 std::vector<std::string> encoder_command(const std::string& encoder, AnimationKind kind, int frames,
-                                         int frames_per_second, const std::filesystem::path& folder,
-                                         const std::filesystem::path& output) {
+                                         int frames_per_second) {
   std::vector<std::string> command;
   if (encoder == ffmpeg) {
-    command = {ffmpeg,       "-loglevel",
-               "error",      "-y",
-               "-framerate", std::to_string(frames_per_second),
-               "-i",         (folder / "frame_%04d.png").string()};
+    command = {ffmpeg, "-loglevel",     "error", "-y", "-framerate", std::to_string(frames_per_second),
+               "-i",   "frame_%04d.png"};
     for (const std::string& word : ffmpeg_coding(kind)) command.push_back(word);
   } else {
     const int hundredths = 100 / frames_per_second;  // how long a GIF shows a frame
     command = {image_magick, "-loop", "0", "-delay", std::to_string(hundredths)};
     for (int k = 0; k < frames; ++k) {
       if (k == frames - 1) command.insert(command.end(), {"-delay", std::to_string(100 * hold_s)});
-      command.push_back((folder / frame_name(k)).string());
+      command.push_back(frame_name(k));
     }
     // few colours, because it gives each frame a palette of its own
     command.insert(command.end(), {"+dither", "-colors", "32", "-layers", "optimize"});
   }
-  command.push_back(output.string());
+  command.push_back(animation_name(kind));
   return command;
 }
 
 std::string encode_frames(const std::string& encoder, AnimationKind kind, int frames, int frames_per_second,
                           const std::filesystem::path& folder) {
-  const std::filesystem::path output = folder / (std::string("animation.") + extension_of(kind));
-  const base::ProgramEnd end =
-      base::run_program(encoder_command(encoder, kind, frames, frames_per_second, folder, output));
+  const base::ProgramEnd end = base::run_program(encoder_command(encoder, kind, frames, frames_per_second), folder);
+  const std::filesystem::path output = folder / animation_name(kind);
   if (end.status != 0 || !std::filesystem::exists(output))
     throw base::SimulationError(fmt::format("{} ended with status {}: {}", encoder, end.status, end.output));
   return base::read_whole(output);

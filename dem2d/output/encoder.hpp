@@ -10,19 +10,6 @@ namespace dem2d {
 
 enum class AnimationKind { gif, mp4, webm };
 
-/// A folder in the system's place for temporary files, removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// "frame_0007.png"
 std::string frame_name(int number);
 
@@ -30,13 +17,13 @@ std::string frame_name(int number);
 /// none.
 std::string find_encoder(AnimationKind kind);
 
-/// The command that turns `folder`/frame_0000.png ... into `output`. `encoder` comes from `find_encoder`.
+/// The command that, in the folder of frame_0000.png ..., makes animation.gif (.mp4, .webm) of them. `encoder` comes
+/// from `find_encoder`. It holds no name but these, because both encoders take some names for more than a name.
 std::vector<std::string> encoder_command(const std::string& encoder, AnimationKind kind, int frames,
-                                         int frames_per_second, const std::filesystem::path& folder,
-                                         const std::filesystem::path& output);
+                                         int frames_per_second);
 
-/// The bytes of the animation of `folder`/frame_0000.png ... Throws `base::SimulationError` with the words of the
-/// encoder when it fails.
+/// The bytes of the animation of `folder`/frame_0000.png ...; `folder` is one of our own. Throws
+/// `base::SimulationError` with the words of the encoder when it fails.
 std::string encode_frames(const std::string& encoder, AnimationKind kind, int frames, int frames_per_second,
                           const std::filesystem::path& folder);
 

@@ -98,6 +98,24 @@ TEST_F(DrillStudies, MapDrawsAPictureWithItsScript) {
   EXPECT_NE(base::read_whole(path("it's.gp")).find("limit of steady rotation"), std::string::npos);
 }
 
+/// gnuplot takes names that begin with < or | for commands, and a text between ` for one nearly everywhere.
+TEST_F(DrillStudies, NoNameOfAPictureIsACommand) {
+  if (!base::is_installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  for (const std::string& name :
+       {std::string("<touch touched;.png"), std::string("|touch touched;.png"), std::string("`touch touched`.png"),
+        std::string("a\"b @x %d.png"), std::string("-.png"), std::string("two\nlines\x1b[2J.pdf")}) {
+    const auto outcome =
+        program::shell("cd " + folder_.path().string() + " && " BITROCK_PROGRAM " drill map case.toml" + model +
+                       " --hook-load-kN 15:45:2 --rotation-rpm 30:90:2 -o m.csv --picture='" + name + "' 2>&1");
+    EXPECT_EQ(outcome.status, 0) << name << "\n" << outcome.text;
+    EXPECT_EQ(outcome.text.find('\x1b'), std::string::npos) << outcome.text;
+    EXPECT_NE(base::read_whole(path(name)).substr(0, 4).find("P"), std::string::npos) << name;
+    EXPECT_FALSE(std::filesystem::exists(path("touched"))) << name;
+    EXPECT_NE(base::read_whole(std::filesystem::path(path(name)).replace_extension(".gp")).find("'./"),
+              std::string::npos);
+  }
+}
+
 TEST_F(DrillStudies, MapRefusesWrongRanges) {
   const std::string map = "drill map " + path("case.toml") + model + " -o " + path("map.csv");
   refused(map + " --hook-load-kN ''", "write lowest:highest:count");

@@ -21,15 +21,20 @@ struct Outcome {
   std::string text;  ///< standard output and error together
 };
 
-inline Outcome run(const std::string& arguments) {
+/// A command of the shell.
+inline Outcome shell(const std::string& command) {
   Outcome outcome;
-  std::FILE* pipe = ::popen((std::string(BITROCK_PROGRAM) + " " + arguments + " 2>&1").c_str(), "r");
+  std::FILE* pipe = ::popen(command.c_str(), "r");
   std::array<char, 4096> buffer{};
   for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
     outcome.text.append(buffer.data(), n);
   const int status = ::pclose(pipe);
   if (WIFEXITED(status)) outcome.status = WEXITSTATUS(status);
   return outcome;
+}
+
+inline Outcome run(const std::string& arguments) {
+  return shell(std::string(BITROCK_PROGRAM) + " " + arguments + " 2>&1");
 }
 
 /// Starts the program without waiting for it.

@@ -146,9 +146,9 @@ TEST_F(Fmu, TellsContentApartAndRepeatsItself) {
   other.cutters[3].width *= 1.0 + 1e-15;
   EXPECT_NE(fmu::fmu_file(other, model).guid, guid);
   other = bit;
-  other.name = "a<b> & \"c\"\n'd' \x01 \xc3\xa4";
+  other.name = "a<b> & \"c\"\n'd' \x01 \xc3\xa4 \xff \u202e";
   const std::string text = fmu::model_description(other, model, "{}");
-  EXPECT_EQ(parse(text).at("modelName"), "a<b> & \"c\" 'd'   \xc3\xa4");
+  EXPECT_EQ(parse(text).at("modelName"), "a<b> & \"c\" 'd' \\x01 \xc3\xa4 \\xFF \\u{202E}");
 }
 
 TEST_F(Fmu, RefusesWhatCannotBeExported) {

@@ -3,8 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+
 #include "base/errors.hpp"
+#include "base/files.hpp"
 #include "base/stop.hpp"
+#include "tests/scratch.hpp"
 
 namespace {
 
@@ -40,6 +48,41 @@ TEST(RunProgram, EndsWithTheUsersStop) {
   base::stop_requested() = true;
   EXPECT_THROW(run_program({"sleep", "60"}), base::Interrupted);
   base::stop_requested() = false;
+}
+
+TEST(RunProgram, WhatItHasStartedEndsToo) {
+  const scratch::Folder folder("group");
+  const std::string number = (folder / "number").string();
+  std::jthread stop([&] {
+    while (!std::filesystem::exists(number)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    base::stop_requested() = true;
+  });
+  EXPECT_THROW(
+      run_program({"sh", "-c", "trap '' TERM INT; sleep 60 & echo $! > n; mv n number; wait; sleep 60"}, folder.path()),
+      base::Interrupted);
+  base::stop_requested() = false;
+  const pid_t sleeper = std::stoi(base::read_whole(number));
+  bool alive = true;
+  for (int i = 0; i < 200 && alive; ++i) {
+    // once its parent is gone the system reaps it, or it stays as a zombie that does nothing
+    alive = ::kill(sleeper, 0) == 0 &&
+            base::read_whole("/proc/" + std::to_string(sleeper) + "/stat").find(") Z") == std::string::npos;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_FALSE(alive);
+}
+
+TEST(RunProgram, WorksInTheFolderItIsGiven) {
+  const scratch::Folder folder("it's; $HOME");
+  EXPECT_EQ(run_program({"sh", "-c", "echo new > name; cat name"}, folder.path()).output, "new\n");
+  EXPECT_EQ(base::read_whole(folder / "name"), "new\n");
+  EXPECT_THROW(run_program({"true"}, folder / "missing"), base::SimulationError);
+}
+
+TEST(RunProgram, PipesEndItAsUsual) {
+  const auto before = std::signal(SIGPIPE, SIG_IGN);
+  EXPECT_EQ(run_program({"bash", "-c", "yes | head -1; echo ${PIPESTATUS[0]}"}).output, "y\n141\n");
+  std::signal(SIGPIPE, before);
 }
 
 }  // namespace

@@ -14,6 +14,11 @@ TEST(HtmlText, EscapesTheFiveCharactersAndNothingElse) {
   EXPECT_EQ(report::html_text("&amp;"), "&amp;amp;");
 }
 
+TEST(HtmlText, ShowsWhatCannotBeSeenOrTurnsTheDirection) {
+  EXPECT_EQ(report::html_text("rock\u202e<lmth>"), "rock\\u{202E}&lt;lmth&gt;");
+  EXPECT_EQ(report::html_text(std::string_view("a\0\x1b\xff", 4)), "a\\x00\\x1B\\xFF");
+}
+
 TEST(ScriptJson, CannotEndItsScriptAndKeepsItsMeaning) {
   const nlohmann::json value = {{"name", "</script><!-- & <b>"}};
   const std::string safe = report::script_json(value.dump());

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "base/child_process.hpp"
 #include "base/errors.hpp"
@@ -127,6 +129,37 @@ TEST(GnuplotFigure, GnuplotDrawsItWithoutAWarning) {
     EXPECT_EQ(end.output, "") << "a warning of gnuplot is a fault of the script";
     const std::string picture = base::read_whole(folder / (std::string("every_style.") + report::ending(format)));
     EXPECT_EQ(picture.substr(format == PictureFormat::png ? 1 : 0, 3), format == PictureFormat::png ? "PNG" : "%PD");
+  }
+}
+
+/// Every place where a text enters a script, with every sign that means something to gnuplot somewhere.
+TEST(GnuplotFigure, TextsStayTexts) {
+  if (!base::is_installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  const scratch::Folder folder("gnuplot_texts");
+  const std::string touched = (folder / "touched").string();
+  const std::vector<std::string> texts{"`touch " + touched + "`",
+                                       "'; system('touch " + touched + "'); '",
+                                       "\"; system(\"touch " + touched + "\"); \"",
+                                       "a\nsystem('touch " + touched + "')\n",
+                                       "$(touch " + touched + ") @data @picture {/Bold=99 b_2^3} %s %g %%",
+                                       "<touch " + touched,
+                                       "|touch " + touched,
+                                       "ends in a backslash\\",
+                                       "\\n \\101 \\x41 \x1b[2J \xff \u202e",
+                                       "^ # ! comment",
+                                       "last, \"quoted\", 'too'"};
+  for (const std::string& text : texts) {
+    Figure figure = example();
+    figure.caption = text;
+    figure.plots[0].title = figure.plots[0].x_label = figure.plots[0].y_label = figure.plots[0].caption = text;
+    figure.plots[0].series[0].name = text;
+    const GnuplotFiles files = gnuplot_files(figure, PictureFormat::png);
+    base::write_whole(folder / "every_style.csv", files.table);
+    base::write_whole(folder / "every_style.gp", files.script);
+    const base::ProgramEnd end = base::run_program({"gnuplot", "every_style.gp"}, folder.path());
+    EXPECT_EQ(end.status, 0) << text;
+    EXPECT_EQ(end.output, "") << text << ": a warning, perhaps of rows that are not found";
+    EXPECT_FALSE(std::filesystem::exists(touched)) << text;
   }
 }
 

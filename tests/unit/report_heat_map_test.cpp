@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 
 #include "base/child_process.hpp"
@@ -61,6 +62,23 @@ TEST(HeatMap, RefusesWhatIsNoGrid) {
   refused([](HeatMap& map) { map.y.clear(); });
   refused([](HeatMap& map) { map.value.pop_back(); });
   refused([](HeatMap& map) { map.value_range = {1.0, 1.0}; });
+}
+
+TEST(HeatMap, NoNameOfItsPictureIsACommand) {
+  if (!base::is_installed("gnuplot")) GTEST_SKIP() << "gnuplot is not installed";
+  const scratch::Folder folder("heat_map_names");
+  for (const std::string& name :
+       {std::string("|touch touched;.png"), std::string("<touch touched;.png"), std::string("`touch touched`.png"),
+        std::string("-"), std::string("it's @data.png")}) {
+    HeatMap map = example();
+    map.title = map.x_label = map.value_label = name;
+    base::write_whole(folder / "map.gp", heat_map_script(map, name, PictureFormat::png));
+    const base::ProgramEnd end = base::run_program({"gnuplot", "map.gp"}, folder.path());
+    EXPECT_EQ(end.status, 0) << end.output;
+    EXPECT_EQ(end.output, "");
+    EXPECT_EQ(base::read_whole(folder / name).substr(1, 3), "PNG") << name;
+    EXPECT_FALSE(std::filesystem::exists(folder / "touched")) << name;
+  }
 }
 
 TEST(HeatMap, GnuplotDrawsIt) {

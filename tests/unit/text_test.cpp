@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/errors.hpp"
 #include "base/units.hpp"
 
 namespace {
@@ -18,6 +19,52 @@ TEST(Text, FingerprintMatchesThePublishedVectors) {  // FNV-1a test suite: "", "
   EXPECT_EQ(base::fingerprint(""), 0xcbf29ce484222325ULL);
   EXPECT_EQ(base::fingerprint("a"), 0xaf63dc4c8601ec8cULL);
   EXPECT_EQ(base::fingerprint_text("foobar"), "85944171f73967e8");
+}
+
+TEST(Text, WhatStaysAsItIs) {
+  for (const char* good : {"", "15 °, 3 µm, β, 岩, \U0001F600", "two\nlines\tand a tab", "C:\\a\\b"})
+    EXPECT_EQ(base::printable(good), good);
+}
+
+TEST(Text, WhatCouldSteerATerminalIsShown) {
+  EXPECT_EQ(base::printable("a\x1b[2Jb\rc\x7f"), "a\\x1B[2Jb\\x0Dc\\x7F");
+  EXPECT_EQ(base::printable(std::string_view("nul\0l", 5)), "nul\\x00l");
+  EXPECT_EQ(base::printable("csi \u009b2J"), "csi \\u{009B}2J");
+  EXPECT_EQ(base::printable("abc\u202efed\u2066\u200b\ufeff\U000e0041"),
+            "abc\\u{202E}fed\\u{2066}\\u{200B}\\u{FEFF}\\u{E0041}");
+}
+
+TEST(Text, WhatIsNoUtf8IsShownByteByByte) {
+  EXPECT_EQ(base::printable("\xff\xfe"), "\\xFF\\xFE");
+  EXPECT_EQ(base::printable("\xc0\xaf"), "\\xC0\\xAF") << "longer than needed";
+  EXPECT_EQ(base::printable("\xed\xa0\x80"), "\\xED\\xA0\\x80") << "half of a pair";
+  EXPECT_EQ(base::printable("\xf4\x90\x80\x80"), "\\xF4\\x90\\x80\\x80") << "above U+10FFFF";
+  EXPECT_EQ(base::printable("\xe2\x82"), "\\xE2\\x82") << "the end is missing";
+}
+
+TEST(Text, ALongOneLosesItsMiddle) {
+  const std::string text = "begin " + std::string(1000000, 'x') + " (what to do)";
+  const std::string shown = base::printable(text);
+  EXPECT_LE(shown.size(), base::longest_shown);
+  EXPECT_TRUE(shown.starts_with("begin xxx"));
+  EXPECT_TRUE(shown.ends_with("xxx (what to do)"));
+  EXPECT_NE(shown.find(" bytes are not shown) "), std::string::npos);
+  EXPECT_EQ(base::printable(shown), shown);
+  EXPECT_EQ(base::printable(text, base::all_of_it), text);
+  std::string umlauts;
+  for (int i = 0; i < 5000; ++i) umlauts += "ü";
+  for (std::size_t most = 1000; most < 1004; ++most)  // no character is cut in two
+    EXPECT_EQ(base::printable(base::printable(umlauts, most), base::all_of_it).find("\\x"), std::string::npos);
+}
+
+TEST(Text, ErrorsShowAllOfTheirMessage) {
+  EXPECT_STREQ(base::InputError(std::string("a\0b", 3)).what(), "a\\x00b");
+  EXPECT_STREQ(base::OutputError("\x1b[31m").what(), "\\x1B[31m");
+}
+
+TEST(Text, JsonStaysTheSameAndIsSeen) {
+  const std::string json = "{\"name\": \"a\u202eb\U000e0041ü\"}";
+  EXPECT_EQ(base::json_with_visible_text(json), "{\"name\": \"a\\u202eb\\udb40\\udc41ü\"}");
 }
 
 TEST(Units, TheNumberThatWasWrittenComesBack) {

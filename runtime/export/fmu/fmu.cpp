@@ -41,10 +41,17 @@ Instance* at(fmi2Component component) {
 
 void log(const fmi2CallbackFunctions& callbacks, const char* name, const char* function, const char* reason) {
   if (callbacks.logger == nullptr) return;
-  char message[fmu::longest_path + 512];
-  std::snprintf(message, sizeof(message), "%s: %s", function, reason);
-  // "%s", because a path in the message may hold signs of percent
-  callbacks.logger(callbacks.componentEnvironment, name, fmi2Error, "logStatusError", "%s", message);
+  char text[fmu::longest_path + 512], message[2 * sizeof(text)];
+  std::snprintf(text, sizeof(text), "%s: %s", function, reason);
+  // The message is a format, but importers without variable arguments show it as it is: so it is the whole text, with
+  // each sign of percent (a path may hold some) written twice.
+  char* end = message;
+  for (const char* c = text; *c != '\0'; ++c) {
+    if (*c == '%') *end++ = '%';
+    *end++ = *c;
+  }
+  *end = '\0';
+  callbacks.logger(callbacks.componentEnvironment, name, fmi2Error, "logStatusError", message);
 }
 
 fmi2Status fail(const Instance* instance, const char* function, const char* reason) {

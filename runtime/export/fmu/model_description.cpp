@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/export/fmu/fmu_file.hpp"
@@ -32,10 +33,10 @@ constexpr std::array<Unit, 6> units{{{"rad/s", "rad=\"1\" s=\"-1\"", "rpm", 30.0
 constexpr const char* torque_unit =
     "    <Unit name=\"N.m\"><BaseUnit kg=\"1\" m=\"2\" s=\"-2\"/></Unit>\n";  // not J: nothing is shown in it
 
-/// Text as the value of an attribute. What XML 1.0 cannot hold becomes a space.
+/// Text as the value of an attribute, with what XML 1.0 cannot hold shown in letters and its lines in one.
 std::string attribute_text(std::string_view text) {
   std::string safe;
-  for (const char c : text) {
+  for (const char c : base::printable(text)) {
     switch (c) {
       case '&':
         safe += "&amp;";
