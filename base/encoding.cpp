@@ -24,10 +24,10 @@ struct Beginning {
 constexpr const char* ask_for_utf8 = "save it as UTF-8";
 
 // UTF-32 before UTF-16, whose little-endian mark begins like its own.
-constexpr Beginning marks[]{{"\xff\xfe\0\0"sv, "UTF-32 (little-endian)"},
-                            {"\0\0\xfe\xff"sv, "UTF-32 (big-endian)"},
-                            {"\xff\xfe"sv, "UTF-16 (little-endian)"},
-                            {"\xfe\xff"sv, "UTF-16 (big-endian)"}};
+constexpr Beginning marks[]{{"\xff\xfe\0\0"sv, "UTF-32, little-endian"},
+                            {"\0\0\xfe\xff"sv, "UTF-32, big-endian"},
+                            {"\xff\xfe"sv, "UTF-16, little-endian"},
+                            {"\xfe\xff"sv, "UTF-16, big-endian"}};
 constexpr Beginning other_files[]{{"\x89HDF\r\n\x1a\n"sv, "an HDF5 file"},
                                   {"PK\x03\x04"sv, "a ZIP archive, as .xlsx files are"},
                                   {"\x1f\x8b"sv, "a file compressed by gzip"}};
@@ -43,8 +43,8 @@ const char* without_mark(std::string_view bytes) {
   for (std::size_t i = 0; i < first.size(); ++i) zeros[i % 2] += first[i] == '\0' ? 1 : 0;
   const std::size_t half = first.size() / 2;
   if (zeros[0] + zeros[1] > half + half / 4) return "UTF-32 without a byte order mark";
-  if (zeros[0] > half / 2 && zeros[1] == 0) return "UTF-16 (big-endian) without a byte order mark";
-  if (zeros[1] > half / 2 && zeros[0] == 0) return "UTF-16 (little-endian) without a byte order mark";
+  if (zeros[0] > half / 2 && zeros[1] == 0) return "UTF-16, big-endian, without a byte order mark";
+  if (zeros[1] > half / 2 && zeros[0] == 0) return "UTF-16, little-endian, without a byte order mark";
   return nullptr;
 }
 

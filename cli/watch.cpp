@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds between_looks{50};
 // A command that looks between steps ends in much less; together with the rest of the way it stays below a second.
 constexpr std::chrono::milliseconds patience{600};
 constexpr std::chrono::seconds patience_with_results{10};  // on a busy machine: it is a pity for what is finished
-constexpr double first_word = 2.0, next_word = 15.0;       // [s] without anything printed
+constexpr double first_word = 2.0, next_word = 30.0;       // [s] without anything printed; progress comes more often
 
 std::atomic<bool> stop_again{false};
 

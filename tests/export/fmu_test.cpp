@@ -393,4 +393,19 @@ TEST_F(Fmu, AFailedCallSaysWhyAndChangesNothing) {
   library.fmi2FreeInstance(nullptr);
 }
 
+/// Importers in Python, Java or .NET cannot take variable arguments and show the message as it is.
+TEST_F(Fmu, ItsMessagesAreWholeWithoutFurtherArguments) {
+  std::string plain;
+  const auto take = [](void* environment, const char*, int, const char*, const char* message, ...) {
+    *static_cast<std::string*>(environment) += message;
+  };
+  const importer::Callbacks callbacks{take, nullptr, nullptr, nullptr, &plain};
+  const char* const location = "file:///no/such/100%25/%25s/resources";
+  EXPECT_EQ(library.fmi2Instantiate("bit", 1, guid.c_str(), location, &callbacks, 0, 0), nullptr);
+  EXPECT_NE(plain.find("fmi2Instantiate: "), std::string::npos) << plain;
+  EXPECT_NE(plain.find("/no/such/100%%/%%s/resources"), std::string::npos) << plain;
+  const Instance with_arguments(library, guid, location);
+  EXPECT_NE(with_arguments.log.find("/no/such/100%/%s/resources"), std::string::npos) << with_arguments.log;
+}
+
 }  // namespace

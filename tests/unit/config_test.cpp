@@ -78,7 +78,8 @@ TEST(Config, WhatTomlKnowsAndAKeyMayNotBe) {
   EXPECT_NE(radius("[1]").find("must be a number"), std::string::npos);
   EXPECT_NE(radius("{ of = 1 }").find("must be a number"), std::string::npos);
   EXPECT_EQ(radius("1"), "accepted");  // a whole number is a number
-  for (const char* broken : {"1e999", "1e", "0x", "1,5", "010", "nan(1)", "9223372036854775808", "1_", "1\nradius_mm = 2"}) {
+  for (const char* broken :
+       {"1e999", "1e", "0x", "1,5", "010", "nan(1)", "9223372036854775808", "1_", "1\nradius_mm = 2"}) {
     EXPECT_EQ(radius(broken).find("rock.toml:"), 0u) << broken << ": " << radius(broken);
   }
   const auto elements = [](const std::string& value) { return message("[rock]\nradius_mm = 1\nelements = " + value); };

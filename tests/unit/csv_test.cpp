@@ -166,7 +166,7 @@ TEST(Csv, AHeaderBehindACommentSignIsNamed) {
 
 TEST(Csv, OtherEncodingsAreRefusedByName) {
   using namespace std::string_literals;
-  EXPECT_EQ(message("\xff\xfe"s + "a\0\n\0"s), "table.csv: the text is in UTF-16 (little-endian) (save it as UTF-8)");
+  EXPECT_EQ(message("\xff\xfe"s + "a\0\n\0"s), "table.csv: the text is in UTF-16, little-endian (save it as UTF-8)");
   EXPECT_EQ(message("a,b\n1,2\0\n"s), "table.csv:2: a NUL byte (no text has one: the file is damaged, or is no text)");
   EXPECT_EQ(message("Kraft,Temp \xb0\x43\n1,2\n"),
             "table.csv:1: byte B0 is not UTF-8 (is the text in Latin-1 or Windows-1252? save it as UTF-8)");

@@ -32,14 +32,14 @@ TEST(Encoding, TakesUtf8) {
 TEST(Encoding, NamesTheOthers) {
   EXPECT_EQ(said("\xff\xfe"
                  "a\0"sv),
-            "f: the text is in UTF-16 (little-endian) (save it as UTF-8)");
-  EXPECT_EQ(said("\xfe\xff\0a"sv), "f: the text is in UTF-16 (big-endian) (save it as UTF-8)");
-  EXPECT_EQ(said("\xff\xfe\0\0a\0\0\0"sv), "f: the text is in UTF-32 (little-endian) (save it as UTF-8)");
-  EXPECT_EQ(said("\0\0\xfe\xff\0\0\0a"sv), "f: the text is in UTF-32 (big-endian) (save it as UTF-8)");
+            "f: the text is in UTF-16, little-endian (save it as UTF-8)");
+  EXPECT_EQ(said("\xfe\xff\0a"sv), "f: the text is in UTF-16, big-endian (save it as UTF-8)");
+  EXPECT_EQ(said("\xff\xfe\0\0a\0\0\0"sv), "f: the text is in UTF-32, little-endian (save it as UTF-8)");
+  EXPECT_EQ(said("\0\0\xfe\xff\0\0\0a"sv), "f: the text is in UTF-32, big-endian (save it as UTF-8)");
   EXPECT_EQ(said("t\0i\0m\0e\0_\0s\0\n\0"sv),
-            "f: the text seems to be in UTF-16 (little-endian) without a byte order mark (save it as UTF-8)");
+            "f: the text seems to be in UTF-16, little-endian, without a byte order mark (save it as UTF-8)");
   EXPECT_EQ(said("\0t\0i\0m\0e\0\n"sv),
-            "f: the text seems to be in UTF-16 (big-endian) without a byte order mark (save it as UTF-8)");
+            "f: the text seems to be in UTF-16, big-endian, without a byte order mark (save it as UTF-8)");
   EXPECT_EQ(said("t\0\0\0i\0\0\0m\0\0\0e\0\0\0"sv),
             "f: the text seems to be in UTF-32 without a byte order mark (save it as UTF-8)");
   EXPECT_EQ(said("\x89HDF\r\n\x1a\n and more"), "f: an HDF5 file (a text is wanted)");

@@ -70,7 +70,7 @@ TEST(GnuplotFigure, TheScriptNamesFilesLabelsAndRanges) {
   const std::string png = gnuplot_files(example(), PictureFormat::png).script;
   EXPECT_TRUE(holds(png, "data = 'every_style.csv'"));
   EXPECT_TRUE(holds(png, "if (!exists('picture')) picture = 'every_style.png'"));
-  EXPECT_TRUE(holds(png, "set label 'it''s \"all\"'"));
+  EXPECT_TRUE(holds(png, R"(set label "it's \042all\042")"));
   EXPECT_TRUE(holds(png, "set xlabel 'x [mm]'"));
   EXPECT_TRUE(holds(png, "set yrange [0.1:10]"));
   EXPECT_TRUE(holds(png, "set logscale y"));
@@ -147,7 +147,9 @@ TEST(GnuplotFigure, TextsStayTexts) {
                                        "ends in a backslash\\",
                                        "\\n \\101 \\x41 \x1b[2J \xff \u202e",
                                        "^ # ! comment",
-                                       "last, \"quoted\", 'too'"};
+                                       "last, \"quoted\", 'too'",
+                                       "'''",
+                                       "two '' \"`touch " + touched + "`\" @data \\101 \\"};
   for (const std::string& text : texts) {
     Figure figure = example();
     figure.caption = text;

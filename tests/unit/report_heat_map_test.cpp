@@ -41,7 +41,7 @@ TEST(HeatMap, ScriptCarriesItsNumbers) {
   EXPECT_TRUE(holds(script, "10 1 0.1\n20 1 0.2\n30 1 0.3\n\n10 2 0.4\n20 2 NaN\n30 2 0.6\n"));
   EXPECT_TRUE(holds(script, "set xrange [5:35]\nset yrange [0.5:2.5]"));  // half a cell beyond the middles
   EXPECT_TRUE(holds(script, "set y2range [39.5:37.5]"));
-  EXPECT_TRUE(holds(script, "set title 'it''s a map'"));
+  EXPECT_TRUE(holds(script, R"(set title "it's a map")"));
   EXPECT_TRUE(holds(script, "title 'no run'"));
   EXPECT_EQ(script, heat_map_script(example(), "map.png", PictureFormat::png));
 }
