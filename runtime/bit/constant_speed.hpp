@@ -11,7 +11,7 @@ namespace runtime {
 
 struct ConstantSpeed {
   double rotation = 0.0;             ///< [rad/s] 0.01 to 10,000 rpm
-  double rate_of_penetration = 0.0;  ///< [m/s] 0 or more; 0 gives a load of 0
+  double rate_of_penetration = 0.0;  ///< [m/s] 0 or more; up to `slowest_advance` it gives a load of 0
   double duration = 0.0;             ///< [s] above 0
   double rate = 0.0;                 ///< [Hz] samples a second, above 0
 };

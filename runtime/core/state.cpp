@@ -8,7 +8,7 @@ namespace runtime {
 
 namespace {
 
-constexpr std::uint64_t state_magic = 0x62697472'6f737431ULL;
+constexpr std::uint64_t state_magic = 0x62697472'6f737432ULL;  ///< the last digit is the format's version
 
 /// Before the memories of the cutters. All of it is numbers, and none of them a place in memory.
 struct StateHead {
