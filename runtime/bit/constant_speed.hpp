@@ -15,7 +15,7 @@ inline constexpr double slowest_rpm = 0.01, fastest_rpm = 1e4, fastest_m_per_h =
 
 struct ConstantSpeed {
   double rotation = 0.0;             ///< [rad/s] `slowest_rpm` to `fastest_rpm`
-  double rate_of_penetration = 0.0;  ///< [m/s] 0 to `fastest_m_per_h`; 0 gives a load of 0
+  double rate_of_penetration = 0.0;  ///< [m/s] 0 to `fastest_m_per_h`; up to `slowest_advance` the load is 0
   double duration = 0.0;             ///< [s] above 0
   double rate = 0.0;                 ///< [Hz] samples a second, above 0
 };

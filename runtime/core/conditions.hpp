@@ -29,6 +29,15 @@ struct ClampTally {
 /// make the cuts of a bit that barely turns too shallow; smaller ones change nothing, as the depth is clamped.
 inline constexpr double slowest_rotation = 0.0628;  ///< [rad/s]
 
+/// A bit that advances more slowly than this does not cut: at 60 rpm a nanometre a turn, a few atoms, and 3.6 um an
+/// hour. Faster, however little, and the networks answer for the shallowest cut they know; so what rounding leaves of a
+/// mean of changing rates, 1e-15 m/s and less, must not count as drilling.
+inline constexpr double slowest_advance = 1e-9;  ///< [m/s]
+
+inline bool cuts(double rate_of_penetration) {
+  return rate_of_penetration > slowest_advance;
+}
+
 /// **What** Conditions of one cutter when the bit turns steadily.
 /// **Equation** d = 2 pi V / omega; v = omega r.
 /// **Symbols** d [m] depth of cut; V [m/s] rate of penetration; omega [rad/s] rotation, at least `slowest_rotation`;

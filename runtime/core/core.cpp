@@ -42,15 +42,15 @@ bitrock_status ask_for_all(Core& core, double rotation, double rate_of_penetrati
 
 bitrock_status enter(Core& core, std::int64_t window, double rotation, double rate_of_penetration) {
   CoreCutter* const first = cutters(core);
-  const bool cuts = rate_of_penetration > 0.0;
+  const bool drills = cuts(rate_of_penetration);
   // all cutters enter the same windows, so what one has drawn all have
-  if (cuts && !all_drawn(first->force, window)) {
+  if (drills && !all_drawn(first->force, window)) {
     if (const bitrock_status status = ask_for_all(core, rotation, rate_of_penetration); status != BITROCK_OK) {
       return status;
     }
   }
   for (CoreCutter* cutter = first; cutter != first + core.cutter_count; ++cutter) {
-    enter_window(cutter->force, window, cuts ? named(cutter->answer) : CutterStatistics{});
+    enter_window(cutter->force, window, drills ? named(cutter->answer) : CutterStatistics{});
   }
   core.window = window;
   core.window_begin = static_cast<double>(window) * core.signal.window_angle;

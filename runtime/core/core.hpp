@@ -84,9 +84,9 @@ void reset(Core& core);
 /// the force of a two-dimensional simulation, which is per metre of thickness, becomes a force.
 /// **Differences and validity** Cutters do not feel each other. Without friction under worn cutters the mean torque of
 /// a bit whose rings cover the face, each resisted by eps w d, is eps a^2 d / 2 [DetournayDefourny1992]. Conditions are
-/// asked for when the angle enters a window and hold for the window after it (see `enter_window`). ROP not above 0
-/// means nothing is cut: windows drawn then are empty. Any other ROP, however small, is clamped to the shallowest cut
-/// the network knows, so the force does not vanish with the depth.
+/// asked for when the angle enters a window and hold for the window after it (see `enter_window`). ROP not above
+/// `slowest_advance` means nothing is cut: windows drawn then are empty. Any other ROP, however small, is clamped to
+/// the shallowest cut the network knows, so the force does not vanish with the depth.
 bitrock_status update(Core& core, double angle, double rotation, double rate_of_penetration, bitrock_load& load);
 
 /// Vectors of four numbers; with two the bits are the same.

@@ -9,7 +9,7 @@ namespace runtime {
 
 namespace {
 
-constexpr std::uint64_t state_magic = 0x62697472'6f737431ULL;
+constexpr std::uint64_t state_magic = 0x62697472'6f737432ULL;  ///< the last digit is the format's version
 
 /// Before the memories of the cutters. All of it is numbers, and none of them a place in memory.
 struct StateHead {
@@ -67,7 +67,8 @@ bool is_sound(const MovingAverage& average, double window) {
     if (!finite(average.time[at], average.value[at], average.integral[at])) return false;
     if (k > 0 && !(average.time[at] > average.time[before])) return false;
   }
-  return true;
+  const auto last = static_cast<std::size_t>((average.first + average.count + average_places - 1) % average_places);
+  return average.count == 0 || (finite(average.constant_since) && average.constant_since <= average.time[last]);
 }
 
 /// Both averages take their samples at the same times.

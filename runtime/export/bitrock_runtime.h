@@ -155,7 +155,8 @@ BITROCK_API bitrock_status bitrock_core_reset(bitrock_core* core);
 
 /* Load on the bit at an angle it has turned forward while cutting, at this rotation and rate of penetration into the
  * rock. A rotation below 0.0628 rad/s, also a negative one, counts as 0.0628 rad/s when a window is drawn; a rate of
- * penetration of 0 or less gives windows without peaks. */
+ * penetration of 1e-9 m/s or less, also a negative one, gives windows without peaks. While the rotation changes, see to
+ * the angle: one that is wrong by 1 mrad gives another force at the same time (pulses are some mrad wide). */
 BITROCK_API bitrock_status bitrock_core_update(bitrock_core* core, double angle_rad, double rotation_rad_per_s,
                                                double rate_of_penetration_m_per_s, bitrock_load* load);
 
@@ -165,7 +166,7 @@ BITROCK_API bitrock_status bitrock_core_accept(bitrock_core* core, double time_s
                                                double rate_of_penetration_m_per_s);
 
 /* Means over the last average_window_s before the last accepted step, weighted by time; at first over what there
- * is. */
+ * is. Rates that did not change in that time are their own means, to the last bit. */
 BITROCK_API bitrock_status bitrock_core_averages(const bitrock_core* core, double* rotation_rad_per_s,
                                                  double* rate_of_penetration_m_per_s);
 

@@ -3,6 +3,7 @@
 /// rotation and rate of penetration are smoothed before they choose the cutting conditions. A plain struct of fixed
 /// size: copying it saves and restores its state, it takes no memory and throws nothing.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <type_traits>
@@ -17,6 +18,7 @@ struct MovingAverage {
   std::array<double, average_places> time{};      ///< [s] ring; ascending from `first`
   std::array<double, average_places> value{};     ///< at those instants
   std::array<double, average_places> integral{};  ///< of the signal from the first sample ever to those instants
+  double constant_since = 0.0;                    ///< [s] the signal has had its last value since then
   int first = 0;                                  ///< place of the oldest
   int count = 0;
 };
@@ -33,6 +35,7 @@ inline bool accept(MovingAverage& average, double time, double value) {
     average.time[0] = time;
     average.value[0] = value;
     average.integral[0] = 0.0;
+    average.constant_since = time;
     average.first = 0;
     average.count = 1;
     return true;
@@ -40,6 +43,7 @@ inline bool accept(MovingAverage& average, double time, double value) {
   const auto place = [&](int k) { return static_cast<std::size_t>((average.first + k) % average_places); };
   const std::size_t last = place(average.count - 1);
   if (!(time > average.time[last])) return false;
+  if (value != average.value[last]) average.constant_since = time;
   const double integral = average.integral[last] + 0.5 * (time - average.time[last]) * (value + average.value[last]);
   // the last piece grows until it is long enough to stand alone
   const double shortest = average.window / (average_places - 4);
@@ -58,19 +62,21 @@ inline bool accept(MovingAverage& average, double time, double value) {
 }
 
 /// **What** The mean over the window that ends with the last accepted sample.
-/// **Equation** (I(t) - I(t - T)) / T, t the last time; before a whole window is known, the mean over what is.
+/// **Equation** (I(t) - I(t - T)) / T, t the last time; before a whole window is known, the mean over what is. A signal
+/// that did not change in that time has its value as mean, to the last bit.
 /// **Symbols** T [s] window; I integral of the straight lines between the samples; within a piece I is taken as the
 /// parabola with the right ends and the slopes of its end values.
 /// **Differences and validity** Exact for straight lines between samples when no piece holds several; otherwise the
 /// error is of second order in T / 252. Gain 1 for a constant, delay T / 2 for a ramp, zeros at multiples of 1 / T.
-/// Without a sample: 0.
+/// Without a sample: 0. The signal that did not change is a case of its own because the difference of the integrals
+/// leaves a rounding, and a bit whose rate of penetration has been 0 for T must be one that does not advance.
 inline double mean(const MovingAverage& average) {
   if (average.count == 0) return 0.0;
   const auto place = [&](int k) { return static_cast<std::size_t>((average.first + k) % average_places); };
   const std::size_t last = place(average.count - 1);
-  if (average.count == 1) return average.value[last];
   const std::size_t oldest = place(0);
   const double begin = average.time[last] - average.window;
+  if (average.constant_since <= std::max(begin, average.time[oldest])) return average.value[last];
   if (begin <= average.time[oldest]) {
     return (average.integral[last] - average.integral[oldest]) / (average.time[last] - average.time[oldest]);
   }

@@ -420,6 +420,54 @@ TEST(Core, WhatIsNotFiniteIsRefusedAndChangesNothing) {
   EXPECT_EQ(state_of(core.core), before);
 }
 
+// Without advance nothing is cut once the means have passed and the windows drawn before are behind: the mean of rates
+// that were something and are 0 now is 0, not a rounding that the networks would answer with their shallowest cut.
+TEST(Core, WithoutAdvanceTheLoadEndsWhateverWasBefore) {
+  int conditions = 0;
+  for (const double rpm : {9.0, 37.0, 60.0, 121.0, 200.0}) {
+    for (const double rop : {1.1e-4, 1e-3, 4.3e-3, 1e-2}) {
+      for (const double h : {1e-4, 1e-3, 3.7e-3, 0.03}) {
+        const double rotation = rpm * pi / 30.0;
+        const Made core = made();
+        double time = 0.0, angle = 0.0, largest = 0.0;
+        const auto step = [&](double advance) {
+          double mean_rotation = 0.0, mean_rop = 0.0;
+          EXPECT_EQ(bitrock_core_averages(core.core, &mean_rotation, &mean_rop), BITROCK_OK);
+          time += h;
+          angle += h * rotation;
+          const bitrock_load load = load_at(core.core, angle, mean_rotation, mean_rop);
+          EXPECT_EQ(bitrock_core_accept(core.core, time, rotation, advance), BITROCK_OK);
+          return load;
+        };
+        ASSERT_EQ(bitrock_core_accept(core.core, 0.0, rotation, rop), BITROCK_OK);
+        while (time < 1.0) largest = std::max(largest, step(rop * (1.0 + 0.3 * std::sin(37.0 * time))).torque_N_m);
+        ASSERT_GT(largest, 0.0);
+        const double stopped = time;
+        while (time < stopped + 0.1 + 2.0 * h) step(0.0);
+        // two windows are drawn, and the pulses of the second may reach into a third
+        const double last_drawn = angle + 3.0 * window_angle;
+        while (angle < last_drawn) step(0.0);
+        for (int i = 0; i < 500; ++i) expect_same(step(0.0), {.axial_force_N = 0.0, .torque_N_m = 0.0});
+        ++conditions;
+      }
+    }
+  }
+  EXPECT_EQ(conditions, 80);
+}
+
+TEST(Core, AnAdvanceOfLessThanANanometreASecondCutsNothing) {
+  const Made none = made(), little = made();
+  for (const double rop : {-1.0, -1e-20, 0.0, 1e-300, 1e-18, 1e-12, runtime::slowest_advance}) {
+    expect_same(load_at(none.core, 0.7, 6.0, rop), {.axial_force_N = 0.0, .torque_N_m = 0.0});
+    EXPECT_EQ(bitrock_core_reset(none.core), BITROCK_OK);
+  }
+  double largest = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    largest = std::max(largest, load_at(little.core, 0.01 * i, 6.0, 1.1 * runtime::slowest_advance).torque_N_m);
+  }
+  EXPECT_GT(largest, 0.0);
+}
+
 TEST(Core, ExtremeButFiniteMotionGivesFiniteLoads) {
   const Made core = made();
   double angle = 0.0;

@@ -1,5 +1,6 @@
 #include "runtime/export/fmu/bit_slave.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -55,26 +56,15 @@ bitrock_status renew_core(Slave& slave) {
   return BITROCK_OK;
 }
 
-/// The averages hold differences from the inputs with which the bit began: of inputs that do not change, these are 0,
-/// and the mean is exact.
-Rates mean_of(const Slave& slave, const Moment& moment) {
-  Rates mean;
-  bitrock_core_averages(slave.core, &mean.rotation, &mean.rate_of_penetration);
-  mean.rotation += moment.first_rotation;
-  mean.rate_of_penetration += moment.first_rate_of_penetration;
-  return mean;
-}
-
-void begin(Slave& slave, Moment& moment) {
-  moment.begun = 1;
-  moment.first_rotation = moment.inputs.rotation;
-  moment.first_rate_of_penetration = moment.inputs.rate_of_penetration;
-  bitrock_core_accept(slave.core, slave.moment.time, 0.0, 0.0);
+/// What has been turned at the time of `moment`, had each speed held for its step; `moment.angle` may be ahead of it.
+double reached(const Moment& moment) {
+  return moment.angle_since + moment.speed * (moment.time - moment.speed_since);
 }
 
 /// The load at the angle of `moment`.
 bitrock_status find_load(const Slave& slave, Moment& moment) {
-  const Rates mean = mean_of(slave, moment);
+  Rates mean;
+  bitrock_core_averages(slave.core, &mean.rotation, &mean.rate_of_penetration);
   bitrock_load load{};
   const bitrock_status status =
       bitrock_core_update(slave.core, moment.angle, mean.rotation, mean.rate_of_penetration, &load);
@@ -83,7 +73,7 @@ bitrock_status find_load(const Slave& slave, Moment& moment) {
   const double depth = runtime::cut_conditions(0.0, 0.0, mean.rotation, mean.rate_of_penetration).depth_of_cut;
   moment.torque = on_rock ? load.torque_N_m : 0.0;
   moment.axial_force = on_rock ? load.axial_force_N : 0.0;
-  moment.depth_of_cut = on_rock && depth > 0.0 ? depth : 0.0;
+  moment.depth_of_cut = on_rock && runtime::cuts(mean.rate_of_penetration) ? depth : 0.0;
   return BITROCK_OK;
 }
 
@@ -92,29 +82,29 @@ bitrock_status turn(Slave& slave, Moment& moment, double end) {
   const Inputs& inputs = moment.inputs;
   const double speed = runtime::progression(inputs.rotation, inputs.weight, slave.settings.threshold_weight);
   if (speed != moment.speed) {
-    moment.speed = speed;
+    moment.angle_since = reached(moment) + runtime::missing_angle(moment.speed, speed, moment.last_step);
     moment.speed_since = moment.time;
-    moment.angle_since = moment.angle;
+    moment.speed = speed;
   }
-  moment.angle = moment.angle_since + speed * (end - moment.speed_since);
+  moment.last_step = end - moment.time;
   moment.time = end;
-  const bool begins = moment.begun == 0 && speed > 0.0 && inputs.rate_of_penetration > 0.0;
-  if (begins) begin(slave, moment);
+  moment.angle = std::max(moment.angle, reached(moment));
+  const bool begins = moment.begun == 0 && speed > 0.0 && runtime::cuts(inputs.rate_of_penetration);
+  if (begins) {
+    moment.begun = 1;
+    bitrock_core_accept(slave.core, slave.moment.time, inputs.rotation, inputs.rate_of_penetration);
+  }
   if (moment.begun == 0) return BITROCK_OK;
 
-  const Rates change{inputs.rotation - moment.first_rotation,
-                     inputs.rate_of_penetration - moment.first_rate_of_penetration};
-  bitrock_status status = std::isfinite(change.rotation) && std::isfinite(change.rate_of_penetration)
-                              ? find_load(slave, moment)
-                              : BITROCK_NOT_FINITE;
+  bitrock_status status = find_load(slave, moment);
   if (status == BITROCK_OK && end > slave.moment.time)
-    status = bitrock_core_accept(slave.core, end, change.rotation, change.rate_of_penetration);
+    status = bitrock_core_accept(slave.core, end, inputs.rotation, inputs.rate_of_penetration);
   if (status != BITROCK_OK && begins) bitrock_core_reset(slave.core);
   return status;
 }
 
 struct StateHead {
-  std::uint64_t magic = 0x6574617453746942ULL;  ///< "BitState"
+  std::uint64_t magic = 0x3274617453746942ULL;  ///< "BitStat2"; the last is the format's version
   std::uint64_t bytes = 0;                      ///< of the whole state
   std::uint64_t checksum = 0;                   ///< of what follows it in this head; the core's state has its own
   std::uint64_t block_checksum = 0;             ///< states belong to an FMU
@@ -145,10 +135,10 @@ bool is_sound(const Moment& m) {
   if (!known_phase || !is_flag(m.stale) || !is_flag(m.begun)) return false;
   for (const double number :
        {m.time, m.inputs.rotation, m.inputs.rate_of_penetration, m.inputs.weight, m.speed, m.speed_since, m.angle_since,
-        m.angle, m.first_rotation, m.first_rate_of_penetration, m.torque, m.axial_force, m.depth_of_cut}) {
+        m.last_step, m.angle, m.torque, m.axial_force, m.depth_of_cut}) {
     if (!std::isfinite(number)) return false;
   }
-  return !std::isnan(m.stop_time) && m.speed >= 0.0 && m.depth_of_cut >= 0.0;
+  return !std::isnan(m.stop_time) && m.speed >= 0.0 && m.last_step >= 0.0 && m.depth_of_cut >= 0.0;
 }
 
 /// Restores the core from `state`; it may have been made with another signal.
