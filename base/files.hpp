@@ -36,7 +36,7 @@ class PartFile {
  private:
   std::filesystem::path path_, target_, part_;
   Unfinished unfinished_;  ///< the part
-  int descriptor_ = -1;  ///< locked with flock(2), so that others see that it is being written; -1: put in place
+  int descriptor_ = -1;    ///< locked with flock(2), so that others see that it is being written; -1: put in place
 };
 
 /// Writes the bytes to a `PartFile` and puts it in place; a pipe or a device gets them as they are.

@@ -33,9 +33,8 @@ bool is_new(const std::filesystem::path& path) {
 void check_row(const base::CsvTable& table, std::size_t row) {
   const auto require = [&](std::size_t column, bool good, const char* allowed) {
     if (good) return;
-    throw base::InputError(fmt::format("{}:{}: {} = {} (must be {})", table.source,
-                                       table.lines[row], column_names[column], table.column(column_names[column])[row],
-                                       allowed));
+    throw base::InputError(fmt::format("{}:{}: {} = {} (must be {})", table.source, table.lines[row],
+                                       column_names[column], table.column(column_names[column])[row], allowed));
   };
   const auto cell = [&](std::size_t column) { return table.column(column_names[column])[row]; };
   const double test = cell(1), seed = cell(2);

@@ -118,8 +118,7 @@ std::vector<std::string> warnings(const Specimen& specimen) {
       fmt::format("the {} discs hang together in {} pieces, the largest has {:.3g} % of them, and {} discs have no "
                   "joint: what is tested or cut is no single block of rock (a larger flat_joints.installation_gap_mm, "
                   "now {:.4g}, joins discs that lie farther apart)",
-                  specimen.x.size(), found.count, 100.0 * share, found.unjoined,
-                  specimen.rock.installation_gap * 1e3)};
+                  specimen.x.size(), found.count, 100.0 * share, found.unjoined, specimen.rock.installation_gap * 1e3)};
 }
 
 }  // namespace dem2d

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # CMake without a preset and without a build type compiles with optimisation, and says so; a type that is given stays.
-#   build_type.sh SOURCE CMAKE
+#   build_type.sh SOURCE [CMAKE]
 set -euo pipefail
 source=$1
-cmake=$2
+cmake=${2:-cmake}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 unset CMAKE_BUILD_TYPE  # CMake takes it from the environment, too

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Which commit a build says it was made from: HEAD at build time, marked where files differ; and what it says in an
 # archive, and in a tree inside another repository. Works on a small repository of its own with the house's script.
-#   provenance.sh SOURCE CMAKE
+#   provenance.sh SOURCE [CMAKE]
 # Exit status 77: skipped (no git).
 set -euo pipefail
 source=$1
-cmake=$2
+cmake=${2:-cmake}
 command -v git >/dev/null || { echo "skipped: no git"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
