@@ -2,7 +2,6 @@
 #include "cli/campaign.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -56,7 +55,6 @@ void print_job(const campaigns::JobReport& report) {
     print(fmt::format("{} in {:.1f} s; about {} left\n", place, report.wall_time,
                       base::readable_duration(report.time_left)));
   }
-  flush_output();
 }
 
 void accept_tables(const CollectFlags& flags, const campaigns::Study& study) {
@@ -66,7 +64,7 @@ void accept_tables(const CollectFlags& flags, const campaigns::Study& study) {
     const campaigns::Acceptance accepted = campaigns::keep_accepted(study, flags.campaign.folder, table);
     say(flags.campaign.common, "{}: {} rows accepted, {} of no job of this study; {} accepted in all\n", table,
         accepted.added, accepted.all.strangers, accepted.all.rows.size());
-    for (const std::string& warning : accepted.all.warnings) warn(flags.campaign.common, warning);
+    warn(flags.campaign.common, accepted.all.warnings);
   }
 }
 
@@ -84,10 +82,7 @@ void run_campaign(const RunFlags& flags) {
   accept_tables(flags, study);
   if (!options.common.quiet) {
     run.on_job = print_job;
-    run.on_stage = [](const std::string& text) {
-      print(text + "\n");
-      flush_output();
-    };
+    run.on_stage = [](const std::string& text) { print(text + "\n"); };
   }
   campaigns::run(study, folder, run);
   const campaigns::Status status = campaigns::status(study, folder);
@@ -123,7 +118,7 @@ void collect(const CollectFlags& flags) {
     throw base::InputError(
         fmt::format("{}: no finished runs to collect (first: bitrock campaign run)", options.folder));
   }
-  for (const std::string& warning : collection.warnings) warn(options.common, warning);
+  warn(options.common, collection.warnings);
   base::write_whole(folder / "features.csv", campaigns::features_csv(collection.rows));
   base::write_whole(folder / "features_mean.csv", campaigns::features_mean_csv(collection.rows));
   say(options.common, "{} rows -> {}, {}\n", collection.rows.size(), (folder / "features.csv").string(),
@@ -186,11 +181,7 @@ void find_study(CampaignOptions& options) {
 
 campaigns::Study study_of(const CampaignOptions& options) {
   campaigns::Study study = campaigns::read_study(options.study_file);
-  constexpr std::size_t most_lines = 10;  // cases of a study may number a million
-  const std::vector<std::string> warnings = campaigns::warnings(study);
-  for (const std::string& warning : warnings | std::views::take(most_lines)) warn(options.common, warning);
-  if (warnings.size() > most_lines)
-    warn(options.common, fmt::format("and {} more warnings of this kind", warnings.size() - most_lines));
+  warn(options.common, campaigns::warnings(study));
   return study;
 }
 

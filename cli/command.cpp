@@ -88,21 +88,22 @@ void print(const std::string& text) {
   base::spoke();
   const std::string shown = base::printable(text, base::all_of_it);
   errno = 0;
-  if (std::fwrite(shown.data(), 1, shown.size(), stdout) != shown.size()) fail_printing(errno);
-}
-
-void flush_output() {
-  errno = 0;
-  if (std::fflush(stdout) != 0) fail_printing(errno);
+  const bool written = std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size();
+  if (!written || std::fflush(stdout) != 0) fail_printing(errno);
 }
 
 void tell_user(const std::string& message) {
-  std::fflush(stdout);  // what was printed before stands before it; whether that could be written is told elsewhere
   base::tell("bitrock: " + one_message(message) + "\n");
 }
 
 void warn(const CommonOptions&, const std::string& what) {
   tell_user("warning: " + what);
+}
+
+void warn(const CommonOptions& options, const std::vector<std::string>& all) {
+  constexpr std::size_t enough = 10;  // a study may have a million cases
+  for (std::size_t i = 0; i < std::min(enough, all.size()); ++i) warn(options, all[i]);
+  if (all.size() > enough) warn(options, fmt::format("and {} more of this kind", all.size() - enough));
 }
 
 int cores() {

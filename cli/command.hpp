@@ -33,11 +33,10 @@ void require_outputs(const CommonOptions& options, const std::vector<std::filesy
                      const std::vector<std::filesystem::path>& outputs);
 void write_json(const CommonOptions& options, const nlohmann::json& result);
 
-/// All that goes to standard output goes through here. Throws `base::OutputError` when it cannot be written to (a full
-/// disk, a closed descriptor), and `base::ReaderGone` when its reader has closed the pipe.
+/// All that goes to standard output goes through here, and is there at once, also in a pipe. Throws `base::OutputError`
+/// when it cannot be written to (a full disk, a closed descriptor), and `base::ReaderGone` when its reader has closed
+/// the pipe.
 void print(const std::string& text);
-/// What is still in the buffer; the same errors.
-void flush_output();
 
 /// Prints unless --quiet.
 template <class... Args>
@@ -47,6 +46,8 @@ void say(const CommonOptions& options, fmt::format_string<Args...> format, Args&
 
 /// On standard error, with --quiet too: what the user should look at although the work goes on.
 void warn(const CommonOptions&, const std::string& what);
+/// Many of one kind, of which the first say enough.
+void warn(const CommonOptions& options, const std::vector<std::string>& all);
 /// One line a message, made fit to be shown; further lines of a text are set in, so that none looks like one of ours.
 void tell_user(const std::string& message);
 

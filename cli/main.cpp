@@ -58,11 +58,8 @@ int run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int status = report(app, error);
-    cli::flush_output();
-    return status;
+    return report(app, error);
   }
-  cli::flush_output();
   return 0;
 }
 

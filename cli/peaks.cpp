@@ -125,8 +125,21 @@ void require_good_time(const History& history, const std::string& file) {
   }
 }
 
+/// No force and no time is that large; sums of a billion of them are still finite.
+constexpr double largest_value = 1e100;
+
+void refuse_huge(const std::vector<double>& values, const std::string& name, const std::string& file) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i]) || std::abs(values[i]) <= largest_value) continue;
+    throw base::InputError(
+        fmt::format("{}: {} of sample {} is {} (must be at most {:g})", file, name, i, values[i], largest_value));
+  }
+}
+
 void require_good(const History& history, const Options& options) {
   const std::vector<double>& force = history.force;
+  refuse_huge(force, history.column, options.file);
+  refuse_huge(history.time, history.time_column, options.file);
   if (std::all_of(force.begin(), force.end(), [](double value) { return std::isnan(value); })) {
     throw base::InputError(fmt::format("{}: no number in {}", options.file, history.column));
   }

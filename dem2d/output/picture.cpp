@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
 #include "base/thin.hpp"
 
 namespace dem2d {
@@ -69,20 +70,28 @@ void Picture::font_size(double pixels) const {
   cairo_set_font_size(cairo(), pixels);
 }
 
-double Picture::text_width(const std::string& words) const {
+namespace {
+
+/// A byte that is no UTF-8 would spoil the whole picture.
+cairo_text_extents_t extents_of(cairo_t* cairo, const std::string& words) {
   cairo_text_extents_t extents;
-  cairo_text_extents(cairo(), words.c_str(), &extents);
-  return extents.x_advance;
+  cairo_text_extents(cairo, base::printable(words).c_str(), &extents);
+  return extents;
+}
+
+}  // namespace
+
+double Picture::text_width(const std::string& words) const {
+  return extents_of(cairo(), words).x_advance;
 }
 
 void Picture::text(double x, double y, const std::string& text) const {
   cairo_move_to(cairo(), x, y);
-  cairo_show_text(cairo(), text.c_str());
+  cairo_show_text(cairo(), base::printable(text).c_str());
 }
 
 void Picture::centred_text(double x, double y, const std::string& words) const {
-  cairo_text_extents_t extents;
-  cairo_text_extents(cairo(), words.c_str(), &extents);
+  const cairo_text_extents_t extents = extents_of(cairo(), words);
   text(x - extents.width / 2.0 - extents.x_bearing, y, words);
 }
 

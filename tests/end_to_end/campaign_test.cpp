@@ -235,6 +235,9 @@ TEST_F(Campaign, PlansAndScripts) {
   const auto quote = run("campaign submit " + study + " --dry-run --dir '" + (dir / "in\"ch").string() + "'");
   EXPECT_EQ(quote.status, 2);
   EXPECT_NE(quote.text.find("a path with a quote"), std::string::npos) << quote.text;
+  const auto lines = run("campaign submit " + study + " --dry-run --dir '" + (dir / "two\n#SBATCH").string() + "'");
+  EXPECT_EQ(lines.status, 2);
+  EXPECT_NE(lines.text.find("a path with a control character or a new line"), std::string::npos) << lines.text;
   ASSERT_EQ(run("campaign submit " + study + " --dir \"" + (dir / "it's here").string() +
                 "\" --dry-run --tasks 4 --time 01:00:00 --mem 700 --partition work --json " + json.string())
                 .status,

@@ -126,7 +126,7 @@ TEST_F(Peaks, TimesAreInSecondsAndRise) {
   const auto falls = run("peaks " + (dir / "rig.csv").string() + " --column F --time t");
   EXPECT_EQ(falls.status, 2);
   EXPECT_NE(falls.text.find("t falls from 2 to 1 at sample 2"), std::string::npos) << falls.text;
-  base::write_whole(dir / "rig.csv", "t,F\n0,0\n1,3\n9,0\n");
+  base::write_whole(dir / "rig.csv", "t,F\n0,0\n1,3\n2,0\n30,0\n");
   EXPECT_NE(run("peaks " + (dir / "rig.csv").string() + " --column F --time t").text.find("t is not evenly spaced"),
             std::string::npos);
 }
@@ -137,7 +137,11 @@ TEST_F(Peaks, PoorHistoriesHaveNoPeaks) {
     EXPECT_EQ(found["count"], 0) << csv;
     EXPECT_EQ(found["amean"], 0.0) << csv;
   }
-  EXPECT_EQ(result("F\n0\n1e308\n0\n1e308\n0\n")["amean"].get<double>(), 1e308);
+  EXPECT_EQ(result("F\n0\n1e100\n0\n1e100\n0\n")["amean"].get<double>(), 1e100);
+  base::write_whole(dir / "force.csv", "F\n0\n1e308\n0\n1e308\n0\n");  // their sum is infinite, and so their mean
+  const auto huge = run("peaks " + (dir / "force.csv").string());
+  EXPECT_EQ(huge.status, 2);
+  EXPECT_NE(huge.text.find("F of sample 1 is 1e+308 (must be at most 1e+100)"), std::string::npos) << huge.text;
 }
 
 }  // namespace

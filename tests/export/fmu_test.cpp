@@ -173,7 +173,7 @@ TEST_F(Fmu, OtherStepsGiveNearlyTheSameForceWhileInputsChange) {
   unpack(dir / "shipped.fmu", folder);
   const std::string its_guid = fmu_test::parse(base::read_whole(folder / "modelDescription.xml")).at("guid");
   for (const auto& [name, swing] : {std::pair{"rotation", Swing{0.8, 0.0}},
-                                    std::pair{"rate of penetration", {0.0, 0.8}}, std::pair{"both", {0.8, 0.8}}}) {
+                                    std::pair{"rate of penetration", Swing{0.0, 0.8}}, std::pair{"both", Swing{0.8, 0.8}}}) {
     const auto run_with = [&, swing = swing](int steps_a_millisecond) {
       Instance instance(library, its_guid, uri(folder / "resources"));
       return swung(instance, swing, steps_a_millisecond);

@@ -70,8 +70,8 @@ TEST(Config, MessagesNameLineKeyValueAndWhatIsAllowed) {
 
 TEST(Config, WhatTomlKnowsAndAKeyMayNotBe) {
   const auto radius = [](const std::string& value) { return message("[rock]\nradius_mm = " + value); };
-  EXPECT_EQ(radius("inf"), "rock.toml:2: rock.radius_mm = inf (must be above 0)");
-  EXPECT_EQ(radius("-inf"), "rock.toml:2: rock.radius_mm = -inf (must be above 0)");
+  EXPECT_EQ(radius("inf"), "rock.toml:2: rock.radius_mm = inf (must be above 0 and at most 100)");
+  EXPECT_EQ(radius("-inf"), "rock.toml:2: rock.radius_mm = -inf (must be above 0 and at most 100)");
   EXPECT_EQ(radius("2026-11-29"), "rock.toml:2: rock.radius_mm = 2026-11-29 (must be a number)");
   EXPECT_EQ(radius("12:00:00"), "rock.toml:2: rock.radius_mm = 12:00:00 (must be a number)");
   EXPECT_EQ(radius("true"), "rock.toml:2: rock.radius_mm = true (must be a number)");
@@ -87,7 +87,7 @@ TEST(Config, WhatTomlKnowsAndAKeyMayNotBe) {
   EXPECT_EQ(elements("2.0"), "rock.toml:3: rock.elements = 2.0 (must be a whole number)");
   EXPECT_EQ(elements("inf"), "rock.toml:3: rock.elements = inf (must be a whole number)");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\nspeeds_m_per_s = [1, inf]"),
-            "rock.toml:3: rock.speeds_m_per_s = inf (must be above 0)");
+            "rock.toml:3: rock.speeds_m_per_s = inf (must be above 0 and at most 100)");
   EXPECT_EQ(message("[rock]\nradius_mm = 1\nspeeds_m_per_s = [[1]]").find("rock.toml:3: rock.speeds_m_per_s"), 0u);
   EXPECT_EQ(message("[rock]\nname = \"k\xf6rnig\"").substr(0, 31), "rock.toml:2: byte F6 is not UTF");
   EXPECT_EQ(message("\xef\xbb\xbf[rock]\nradius_mm = 1"), "accepted");

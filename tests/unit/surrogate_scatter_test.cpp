@@ -82,8 +82,9 @@ TEST(SurrogateScatter, IsPooledOverTheCases) {
 }
 
 TEST(SurrogateScatter, FindsTheLawThatWasPutIn) {
-  // 300 cases of three cuts: amplitudes of 1 to 10 that scatter by 12 %, counts of 5 to 50 that come independently of
-  // each other. phi of 600 degrees of freedom has a relative standard error of sqrt(2/600) = 6 %; four of them.
+  // 300 cases of three cuts: amplitudes of 1 to 10, and mean heights of 0.4 of them, that scatter by 12 %, counts of 5
+  // to 50 that come independently of each other. phi of 600 degrees of freedom has a relative standard error of
+  // sqrt(2/600) = 6 %; four of them.
   base::Random random(41);
   std::string text = features_header;
   const auto poisson = [&](double mean) {
@@ -96,7 +97,8 @@ TEST(SurrogateScatter, FindsTheLawThatWasPutIn) {
     for (int seed = 1; seed <= 3; ++seed) {
       text += fmt::format("{},{},1,{},15,0.05,0.05", number, seed, 1 + number % 5);
       for (int direction = 0; direction < 2; ++direction) {
-        for (int i = 0; i < 2; ++i) text += fmt::format(",{}", amplitude * (1.0 + 0.12 * base::normal(random)));
+        for (const double share : {1.0, 0.4})
+          text += fmt::format(",{}", share * amplitude * (1.0 + 0.12 * base::normal(random)));
         for (int i = 0; i < 3; ++i) text += fmt::format(",{}", poisson(0.05 * rate));
       }
       text += "\n";
