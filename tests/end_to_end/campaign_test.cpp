@@ -266,7 +266,7 @@ TEST_F(Campaign, ALimitShorterThanItsCutsIsWarnedOf) {
             std::string::npos);
   for (const char* enough : {"--time 00:30:00", "--time 1-00:00:00", "--time 00:00:00", ""})
     EXPECT_EQ(said(enough).find("too short"), std::string::npos) << enough << ": zero is no limit";
-  base::write_whole(study, text(3.0) + "[run]\nstep_factor = 0.0001\n");  // cuts of many minutes, 6 in one task
+  base::write_whole(study, text(30.0) + "[run]\nstep_factor = 0.001\n");  // cuts of many minutes, 6 in one task
   fs::remove_all(dir / "limits");
   const auto planned = dir / "plan.json";
   ASSERT_EQ(run("campaign plan " + study + " --json " + planned.string()).status, 0);

@@ -124,7 +124,7 @@ TEST_F(DrillStudies, MapRefusesWrongRanges) {
   refused(map + " --hook-load-kN 5:38:1", "the count must be from 2 to 1000");
   refused(map + " --hook-load-kN 5:38:5000", "the count must be from 2 to 1000");
   refused(map + " --hook-load-kN=-5:38:3", "must be from 0");
-  refused(map + " --hook-load-kN nan", "must be from 0");
+  refused(map + " --hook-load-kN nan", "write lowest:highest:count");
   refused(map + " --rotation-rpm 0:140:3", "must be from 0.1 to 500");
   refused(map + " --rotation-rpm 0", "must be from 0.1 to 500");
   refused(map + " --seeds 3:1", "write first:last");

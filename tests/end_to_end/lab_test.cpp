@@ -160,8 +160,8 @@ TEST_F(Lab, WrongInput) {
   expect("ucs " + rock + core + " --strain-rate-per-s 1e-300 --check", 2, "must be at least 1e-06");
   expect("ucs " + rock + core + " --check -o " + rock, 2, "rock.toml");
   expect("ucs " + rock + " --local-damping 1", 2, "must be at least 0 and at most 0.95");
-  expect("ucs " + rock + " --local-damping nan", 2, "--local-damping: 'nan'");
-  expect("ucs " + rock + " --platen-friction nan", 2, "--platen-friction: 'nan'");
+  expect("ucs " + rock + " --local-damping nan", 2, "--local-damping: nan (only finite");
+  expect("ucs " + rock + " --platen-friction nan", 2, "--platen-friction: nan (only finite");
   expect("tension " + rock + " --platen-friction 0.1", 2, "no platens in a tension test");
   expect("brazilian " + rock + " --height-mm 48", 2, "has its diameter only");
   expect("tension " + rock + " --width-mm 24 --height-mm 14", 2, "shorter grips or a longer core");

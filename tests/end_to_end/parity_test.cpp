@@ -122,7 +122,6 @@ TEST(Parity, NothingHalfDrawnStaysWhenGnuplotFailsOrTheUserStops) {
   gnuplot_does("touch " + (with.folder / "begun").string() + "; exec sleep 20");
   const pid_t child = program::start({"parity", with.model, with.data, "--quiet", "--figures", figures});
   while (!std::filesystem::exists(with.folder / "begun")) ::usleep(1000);
-  EXPECT_EQ(parts_in(figures), 1);
   ::kill(child, SIGTERM);
   int ended = 0;
   ::waitpid(child, &ended, 0);

@@ -172,8 +172,9 @@ TEST_F(Fmu, OtherStepsGiveNearlyTheSameForceWhileInputsChange) {
   base::write_whole(dir / "shipped.fmu", fmu::fmu_file(bit, shipped).bytes);
   unpack(dir / "shipped.fmu", folder);
   const std::string its_guid = fmu_test::parse(base::read_whole(folder / "modelDescription.xml")).at("guid");
-  for (const auto& [name, swing] : {std::pair{"rotation", Swing{0.8, 0.0}},
-                                    std::pair{"rate of penetration", Swing{0.0, 0.8}}, std::pair{"both", Swing{0.8, 0.8}}}) {
+  for (const auto& [name, swing] :
+       {std::pair{"rotation", Swing{0.8, 0.0}}, std::pair{"rate of penetration", Swing{0.0, 0.8}},
+        std::pair{"both", Swing{0.8, 0.8}}}) {
     const auto run_with = [&, swing = swing](int steps_a_millisecond) {
       Instance instance(library, its_guid, uri(folder / "resources"));
       return swung(instance, swing, steps_a_millisecond);
@@ -553,13 +554,14 @@ TEST_F(Fmu, AFailedCallSaysWhyAndChangesNothing) {
   library.fmi2FreeInstance(nullptr);
 }
 
-/// Importers in Python, Java or .NET cannot take variable arguments and show the message as it is.
+/// As importers in Python, Java or .NET: they cannot take variable arguments, and show the message as it is.
+void take_plain(void* environment, const char*, int, const char*, const char* message, ...) {
+  *static_cast<std::string*>(environment) += message;
+}
+
 TEST_F(Fmu, ItsMessagesAreWholeWithoutFurtherArguments) {
   std::string plain;
-  const auto take = [](void* environment, const char*, int, const char*, const char* message, ...) {
-    *static_cast<std::string*>(environment) += message;
-  };
-  const importer::Callbacks callbacks{take, nullptr, nullptr, nullptr, &plain};
+  const importer::Callbacks callbacks{take_plain, nullptr, nullptr, nullptr, &plain};
   const char* const location = "file:///no/such/100%25/%25s/resources";
   EXPECT_EQ(library.fmi2Instantiate("bit", 1, guid.c_str(), location, &callbacks, 0, 0), nullptr);
   EXPECT_NE(plain.find("fmi2Instantiate: "), std::string::npos) << plain;

@@ -45,6 +45,9 @@ std::string specimen_seed() {
 std::string run_seed(int frames) {
   dem2d::RunFile run = output_fixtures::run();
   run.cut.bed_length = run.cut.bed_height = 20e-3;
+  run.run.step = 1e-7;
+  run.run.cut_length = 10e-3;
+  run.run.duration = 5e-3;
   if (frames > 1) run.run.frames.insert(run.run.frames.begin(), output_fixtures::frame_at(2e-3, 2e-3));
   return unsealed([&](const std::string& path) { dem2d::write_run(run.run, run.cut, 1, path); });
 }
