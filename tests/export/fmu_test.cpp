@@ -95,7 +95,7 @@ TEST_F(Fmu, GivesTheBitsOfTheCInterfaceWhileRatesChange) {
   for (int i = 0; i < 8000; ++i) {
     const double t = h * i, end = t + (h * (i + 1) - t), speed = rotation_at(t), push = weight_at(t);
     if (const double now = runtime::progression(speed, push, 0.0); now != cutting) {
-      angle_since += cutting * (begin - since) + runtime::missing_angle(cutting, now, last_step);
+      angle_since = angle_since + cutting * (begin - since) + runtime::missing_angle(cutting, now, last_step);
       since = begin;
       cutting = now;
     }

@@ -46,6 +46,7 @@ std::string run_seed(int frames) {
   dem2d::RunFile run = output_fixtures::run();
   run.cut.bed_length = run.cut.bed_height = 20e-3;
   run.run.step = 1e-7;
+  run.run.steps = 50000;
   run.run.cut_length = 10e-3;
   run.run.duration = 5e-3;
   if (frames > 1) run.run.frames.insert(run.run.frames.begin(), output_fixtures::frame_at(2e-3, 2e-3));
