@@ -65,7 +65,8 @@ int run(CLI::App& app, int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+// What is thrown while the flags are declared is a fault of the program, and ends it.
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   fill_closed_streams();
   let_waiting_threads_sleep(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is then an error of its write, like a full disk

@@ -11,8 +11,9 @@
 #include "dem2d/output/crack_faces.hpp"
 #include "dem2d/step/world.hpp"
 
-struct _cairo_surface;  // as in cairo.h, which stays private to the sources
-struct _cairo;
+// The names of cairo.h, which stays private to the sources.
+struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier)
+struct _cairo;          // NOLINT(bugprone-reserved-identifier)
 
 namespace dem2d {
 
