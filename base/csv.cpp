@@ -163,6 +163,7 @@ std::string csv_line(const std::vector<std::vector<double>>& columns, std::size_
 
 std::vector<std::string> cells_of(const std::vector<std::string>& names) {
   std::vector<std::string> cells;
+  cells.reserve(names.size());
   for (const std::string& name : names) cells.push_back(csv_cell(name));
   return cells;
 }
