@@ -106,7 +106,7 @@ void assign(const toml::node& node, const Field& field, const Refuse& refuse) {
 std::string exact_text(double value, double si_per_unit) {
   const double in_file = value / si_per_unit;
   for (const int digits : {15, 16, 17}) {
-    const std::string text = fmt::format("{:.{}g}", in_file, digits);
+    std::string text = fmt::format("{:.{}g}", in_file, digits);
     if (number_in(text).value() * si_per_unit == value) return text;
   }
   for (const double towards : {-HUGE_VAL, HUGE_VAL}) {  // division and multiplication round once each
