@@ -85,7 +85,7 @@ TEST_F(Stop, ManyCasesAreNoReasonToWait) {
 
 TEST_F(Stop, ALargeTable) {
   std::string rows = "time_s,force\n";
-  for (int i = 0; i < 3000000; ++i) rows += std::to_string(i) + "," + std::to_string(i % 7) + "\n";
+  for (int i = 0; i < 9000000; ++i) rows += std::to_string(i) + "," + std::to_string(i % 7) + "\n";
   base::write_whole(dir / "large.csv", rows);
   stop_after(milliseconds(300), {"peaks", path("large.csv"), "--parts", "1000", "--json", path("p.json")});
   EXPECT_FALSE(fs::exists(dir / "p.json"));
