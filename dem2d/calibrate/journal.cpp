@@ -44,10 +44,6 @@ void check_row(const base::CsvTable& table, std::size_t row) {
   for (const std::size_t column : {results_begin, results_begin + 1}) require(column, cell(column) > 0.0, "above 0");
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether a line is the begin of a row: fewer cells, or a last one that is no number.
 bool is_cut_short(std::string_view line) {
   if (std::count(line.begin(), line.end(), ',') + 1 < static_cast<std::ptrdiff_t>(column_names.size())) return true;
