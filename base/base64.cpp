@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace base {
+namespace bitrock::base {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -22,4 +22,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

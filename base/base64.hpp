@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace base {
+namespace bitrock::base {
 
 /// Base64 with padding, without line breaks [Rfc4648, sec. 4].
 std::string base64(std::string_view bytes);
 
-}  // namespace base
+}  // namespace bitrock::base

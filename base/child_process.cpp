@@ -22,7 +22,7 @@
 
 extern char** environ;  // what a child inherits; POSIX gives it no header
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -153,4 +153,4 @@ void end_programs() {
   for (const pid_t child : running().all) ::kill(-child, SIGKILL);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 struct ProgramEnd {
   int status = 0;      ///< exit status, or 128 + the number of the signal that ended it
@@ -26,4 +26,4 @@ ProgramEnd run_program(const std::vector<std::string>& arguments, const std::fil
 /// Ends all programs that run. From then on none can be started: the caller ends bitrock.
 void end_programs();
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -17,7 +17,7 @@
 #include "base/text.hpp"
 #include "base/unit_hint.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 bool Range::contains(double value) const {
   if (!std::isfinite(value)) return false;
@@ -324,7 +324,7 @@ void ConfigFile::refuse_unknown() const {
   const State& state = *state_;
   const auto suggest = [](const std::string& name, const std::vector<std::string>& candidates) {
     const std::string nearest = nearest_name(name, candidates);
-    return nearest.empty() ? std::string("no such key; see docs/formats.md")
+    return nearest.empty() ? std::string("no such key; see docs/reference/formats.md")
                            : "no such key; did you mean " + nearest + "?";
   };
   const auto check_keys = [&](const std::string& section, const toml::table& table) {
@@ -406,4 +406,4 @@ std::string to_exact_toml(const std::vector<Section>& sections) {
   return rest.empty() ? text : fmt::format("{}\n[{}]\n{}", text, exact_section, rest);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

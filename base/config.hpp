@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 /// Allowed values, in the unit of the file.
 struct Range {
@@ -107,4 +107,4 @@ std::string to_toml(const std::vector<Section>& sections);
 /// from which they can be made again.
 std::string to_exact_toml(const std::vector<Section>& sections);
 
-}  // namespace base
+}  // namespace bitrock::base

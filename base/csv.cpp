@@ -12,7 +12,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 bool CsvTable::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -194,4 +194,4 @@ std::string csv_text(const std::vector<std::string>& names, const std::vector<st
   return text;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

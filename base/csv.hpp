@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 struct CsvTable {
   std::string source;                                     ///< file name, for messages
@@ -44,4 +44,4 @@ std::string csv_text(const std::vector<std::string>& names, const std::vector<st
 std::string csv_text(const std::vector<std::string>& names, const std::vector<std::vector<double>>& columns,
                      const std::string& text_name, const std::vector<std::string>& texts);
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -9,7 +9,7 @@
 
 #include "base/errors.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::string csv_cell(std::string_view text) {
   return quoted + '"';
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 struct CsvCell {
   std::string_view text;  ///< without the blanks around it, and without its quotes
@@ -51,4 +51,4 @@ class CsvRows {
 /// The text as a cell: in quotes when it needs them.
 std::string csv_cell(std::string_view text);
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -8,7 +8,7 @@
 
 #include "base/errors.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -113,4 +113,4 @@ void require_utf8(std::string_view bytes, const std::string& file) {
                                line_of(bytes, bad), std::uint8_t(bytes[bad]), ask_for_utf8));
 }
 
-}  // namespace base
+}  // namespace bitrock::base

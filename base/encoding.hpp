@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace base {
+namespace bitrock::base {
 
 /// The same bytes without a UTF-8 byte order mark at their beginning.
 std::string_view without_byte_order_mark(std::string_view bytes);
@@ -14,4 +14,4 @@ std::string_view without_byte_order_mark(std::string_view bytes);
 /// HDF5, ZIP or gzip, or a text with a NUL byte in it, with its line.
 void require_utf8(std::string_view bytes, const std::string& file);
 
-}  // namespace base
+}  // namespace bitrock::base

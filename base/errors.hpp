@@ -8,7 +8,7 @@
 
 #include "base/text.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 /// The user's input is wrong: a file, a key, a flag. Exit status 2.
 struct InputError : std::runtime_error {
@@ -36,4 +36,4 @@ struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace base
+}  // namespace bitrock::base

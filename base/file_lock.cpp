@@ -15,7 +15,7 @@
 #include "base/errors.hpp"
 #include "base/stop.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -95,4 +95,4 @@ FileLock::~FileLock() {
   ::close(descriptor_);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace base {
+namespace bitrock::base {
 
 class FileLock {
  public:
@@ -32,4 +32,4 @@ class FileLock {
   int descriptor_ = -1;  ///< -1: nothing is held
 };
 
-}  // namespace base
+}  // namespace bitrock::base

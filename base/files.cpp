@@ -15,7 +15,7 @@
 #include "base/errors.hpp"
 #include "base/unfinished.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -294,4 +294,4 @@ void refuse_overwriting(const std::vector<std::filesystem::path>& inputs,
   }
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -8,7 +8,7 @@
 
 #include "base/unfinished.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 /// The whole file as bytes. Throws `InputError` naming the path when it cannot be read, at once also for what is no
 /// file: a folder, a pipe, a device, a socket, links that lead in circles.
@@ -59,4 +59,4 @@ void refuse_overwriting(const std::vector<std::filesystem::path>& inputs,
 /// As `require_writable`, for a folder that will receive several files.
 void require_writable_folder(const std::filesystem::path& folder);
 
-}  // namespace base
+}  // namespace bitrock::base

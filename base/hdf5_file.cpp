@@ -13,7 +13,7 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -321,4 +321,4 @@ long long Hdf5Reader::integer_attribute(const std::string& name, long long low, 
   return value;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

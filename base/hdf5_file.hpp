@@ -14,7 +14,7 @@
 
 #include "base/hdf5_image.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 /// Owns one HDF5 identifier and the function that closes it.
 class Hdf5Handle {
@@ -90,4 +90,4 @@ class Hdf5Reader {
   Hdf5Image image_;
 };
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -8,7 +8,7 @@
 
 #include "base/errors.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -420,4 +420,4 @@ Hdf5Image hdf5_image(std::string_view bytes, const std::string& name) {
   return Walk(bytes, name).image();
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 /// What one value is. All numbers are little-endian.
 enum class Hdf5Kind { byte, int32, int64, real64, text };
@@ -52,4 +52,4 @@ Hdf5Image hdf5_image(std::string_view bytes, const std::string& name);
 /// The values of the array, as little-endian bytes. Throws `InputError` when a chunk does not hold what it should.
 std::string hdf5_values(const Hdf5Array& array, const std::string& what);
 
-}  // namespace base
+}  // namespace bitrock::base

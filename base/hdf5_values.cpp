@@ -7,7 +7,7 @@
 #include "base/errors.hpp"
 #include "base/hdf5_image.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::string hdf5_values(const Hdf5Array& array, const std::string& what) {
   return values;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -10,7 +10,7 @@
 #include "base/encoding.hpp"
 #include "base/errors.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -107,4 +107,4 @@ nlohmann::json json_from_text(std::string_view text, const std::string& file) {
   return nlohmann::json::parse(text);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-namespace base {
+namespace bitrock::base {
 
 /// Throws `InputError`. `file` is the name for messages.
 nlohmann::json json_from_text(std::string_view text, const std::string& file);
 
-}  // namespace base
+}  // namespace bitrock::base

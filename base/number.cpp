@@ -7,7 +7,7 @@
 #include <cmath>
 #include <system_error>
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -98,4 +98,4 @@ double rounded_to_digits(double value, int digits) {
   return number_or_not_finite_in(text).value_or(value);  // it may lie beyond the doubles when it is rounded up
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace base {
+namespace bitrock::base {
 
 /// The finite number that the whole text is; nothing when it is none.
 std::optional<double> number_in(std::string_view text);
@@ -27,4 +27,4 @@ std::string why_no_number(std::string_view text);
 /// The number with so many significant digits, as it reads when it is printed with them.
 double rounded_to_digits(double value, int digits);
 
-}  // namespace base
+}  // namespace bitrock::base

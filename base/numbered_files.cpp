@@ -8,7 +8,7 @@
 
 #include "base/errors.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -47,4 +47,4 @@ void remove_numbered_files(const std::filesystem::path& folder, const Series& se
   }
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 /// How the names of a series are made: `begin`, a whole number from 0 with at least `digits` digits, `end`.
 struct Series {
@@ -26,4 +26,4 @@ std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, co
 /// Removes them. Throws `OutputError` when one cannot be removed.
 void remove_numbered_files(const std::filesystem::path& folder, const Series& series);
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -12,7 +12,7 @@
 
 #include "base/stop.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 int available_cores() {
   cpu_set_t cores;
@@ -62,4 +62,4 @@ void SharedProgress::set(std::size_t piece, double share) {
   if (listener_) listener_(std::accumulate(done_.begin(), done_.end(), 0.0), static_cast<double>(done_.size()));
 }
 
-}  // namespace base
+}  // namespace bitrock::base

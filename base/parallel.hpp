@@ -8,7 +8,7 @@
 
 #include "base/progress.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 /// Cores that this program may use: those of the machine, or fewer where the user or a cluster has bound it to some.
 int available_cores();
@@ -33,4 +33,4 @@ class SharedProgress {
   std::mutex mutex_;
 };
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 // How often the line is renewed: often enough to look alive, seldom enough to cost nothing [s].
@@ -90,4 +90,4 @@ void ProgressLine::clear() {
   drawn_ = false;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace base {
+namespace bitrock::base {
 
 /// What libraries are given: called with (done, total) in any unit. Empty means nobody is listening.
 using ProgressCallback = std::function<void(double done, double total)>;
@@ -40,4 +40,4 @@ bool has_spoken();
 /// 95 s as "1 min 35 s"; 5400 s as "1 h 30 min".
 std::string readable_duration(double seconds);
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace base {
+namespace bitrock::base {
 
 double normal(Random& random) {
   for (;;) {
@@ -13,4 +13,4 @@ double normal(Random& random) {
   }
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-namespace base {
+namespace bitrock::base {
 
 using Random = std::mt19937_64;
 
@@ -54,4 +54,4 @@ double keyed_uniform(std::uint64_t seed, Keys... keys) {
   return static_cast<double>(state >> 11) * 0x1.0p-53;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -11,7 +11,7 @@
 #include "base/errors.hpp"
 #include "base/statistics.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -93,4 +93,4 @@ double strongest_frequency(const Spectrum& spectrum) {
   return frequency;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 struct Spectrum {
   std::vector<double> frequency;    ///< [Hz] 0, rate / L, 2 rate / L, ... up to half the rate
@@ -38,4 +38,4 @@ std::size_t quick_length(std::size_t most);
 /// Frequency of the highest value above zero frequency [Hz]; 0 where all is 0 or there is none.
 double strongest_frequency(const Spectrum& spectrum);
 
-}  // namespace base
+}  // namespace bitrock::base

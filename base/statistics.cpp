@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace base {
+namespace bitrock::base {
 
 Summary summarise(std::span<const double> values) {
   Summary summary;
@@ -19,4 +19,4 @@ Summary summarise(std::span<const double> values) {
   return summary;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -3,7 +3,7 @@
 
 #include <span>
 
-namespace base {
+namespace bitrock::base {
 
 struct Summary {
   int count = 0;
@@ -14,4 +14,4 @@ struct Summary {
 
 Summary summarise(std::span<const double> values);
 
-}  // namespace base
+}  // namespace bitrock::base

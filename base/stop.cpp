@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 std::atomic<bool>& stop_requested() {
   static std::atomic<bool> flag{false};
@@ -34,4 +34,4 @@ bool is_saving() {
   return savers() > 0;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-namespace base {
+namespace bitrock::base {
 
 std::atomic<bool>& stop_requested();
 
@@ -12,7 +12,7 @@ std::atomic<bool>& stop_requested();
 void throw_if_stopped();
 
 /// In a computation that looks at the stop and then saves what is finished: while one of these lives the program
-/// (cli/watch.hpp) waits for it, where it would otherwise end in the midst of things.
+/// (base/watch.hpp) waits for it, where it would otherwise end in the midst of things.
 class Saving {
  public:
   Saving();
@@ -22,4 +22,4 @@ class Saving {
 };
 bool is_saving();
 
-}  // namespace base
+}  // namespace bitrock::base

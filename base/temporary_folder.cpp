@@ -8,7 +8,7 @@
 
 #include "base/errors.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -31,4 +31,4 @@ TemporaryFolder::TemporaryFolder() {
   remover_.add(path_);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -5,7 +5,7 @@
 
 #include "base/unfinished.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 /// In the folder that TMPDIR names, or /tmp; removed with the object. Throws `InputError` when TMPDIR names no folder,
 /// or one that cannot be written to, and `OutputError` when there is no room.
@@ -19,4 +19,4 @@ class TemporaryFolder {
   Unfinished remover_;
 };
 
-}  // namespace base
+}  // namespace bitrock::base

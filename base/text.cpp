@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::string fingerprint_text(std::string_view bytes) {
   return fmt::format("{:016x}", fingerprint(bytes));
 }
 
-}  // namespace base
+}  // namespace bitrock::base

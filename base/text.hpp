@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace base {
+namespace bitrock::base {
 
 /// As much of a text from outside as a message shows [bytes]: some ten lines of a terminal.
 inline constexpr std::size_t longest_shown = 2000;
@@ -36,4 +36,4 @@ constexpr std::uint64_t fingerprint(std::string_view bytes) {
 /// The fingerprint as 16 hexadecimal digits.
 std::string fingerprint_text(std::string_view bytes);
 
-}  // namespace base
+}  // namespace bitrock::base

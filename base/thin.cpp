@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::vector<std::size_t> envelope(std::span<const double> y, std::size_t most) {
   return kept;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

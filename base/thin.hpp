@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 /// Longest line that is drawn point for point.
 inline constexpr std::size_t longest_whole_line = 20'000;
@@ -19,4 +19,4 @@ inline constexpr std::size_t longest_whole_line = 20'000;
 /// At most `most` indices come back, for `most` >= 5.
 std::vector<std::size_t> envelope(std::span<const double> y, std::size_t most = longest_whole_line);
 
-}  // namespace base
+}  // namespace bitrock::base

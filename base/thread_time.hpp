@@ -3,7 +3,7 @@
 
 #include <time.h>
 
-namespace base {
+namespace bitrock::base {
 
 /// From an arbitrary instant on [s].
 inline double thread_time() {
@@ -12,4 +12,4 @@ inline double thread_time() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

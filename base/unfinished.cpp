@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -51,4 +51,4 @@ void remove_unfinished() {
   for (const Unfinished* unfinished : the_register().all) remove(unfinished->paths_);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 class Unfinished {
  public:
@@ -30,4 +30,4 @@ class Unfinished {
 /// that nothing new can come: the caller ends the program.
 void remove_unfinished();
 
-}  // namespace base
+}  // namespace bitrock::base

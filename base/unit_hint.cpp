@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::string out_of_range(std::string_view key, double value, const Range& allowe
   return "must be " + allowed.text() + (hint.empty() ? "" : "; " + hint);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -7,7 +7,7 @@
 
 #include "base/config.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 /// "is it in Pa? Then write 34.3" when `value`, refused by `allowed`, would be allowed in another unit than the one
 /// `key` ends in (`ucs_MPa`, `--width-mm`), the one that brings it nearest to the middle of what is allowed; empty
@@ -17,4 +17,4 @@ std::string unit_hint(std::string_view key, double value, const Range& allowed);
 /// "must be above 0 and at most 5000; is it in Pa? Then write 34.3": what to say of a number out of range.
 std::string out_of_range(std::string_view key, double value, const Range& allowed);
 
-}  // namespace base
+}  // namespace bitrock::base

@@ -2,10 +2,10 @@
 
 #include "base/number.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 double in_units(double si, double unit) {
   return rounded_to_digits(si / unit, 12);
 }
 
-}  // namespace base
+}  // namespace bitrock::base

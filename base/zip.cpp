@@ -9,7 +9,7 @@
 
 #include "base/errors.hpp"
 
-namespace base {
+namespace bitrock::base {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::string zip_stored(const std::vector<ZipEntry>& entries) {
   return archive;
 }
 
-}  // namespace base
+}  // namespace bitrock::base

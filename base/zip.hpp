@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace base {
+namespace bitrock::base {
 
 struct ZipEntry {
   std::string name;  ///< with / between folders, no / in front
@@ -18,4 +18,4 @@ struct ZipEntry {
 /// layout cannot hold (4 GiB, 65535 files, names of 65535 bytes) and for a name that is empty or there twice.
 std::string zip_stored(const std::vector<ZipEntry>& entries);
 
-}  // namespace base
+}  // namespace bitrock::base

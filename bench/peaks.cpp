@@ -1,7 +1,7 @@
 // How fast a force history of 10^7 samples becomes peaks and statistics, beside a plain sum over the same samples,
 // which is as fast as this core reads memory; on all vector units. Two signals: one like the force on a cutter, with
 // periods of hardly any force, and pure noise, the worst case, where every third sample is a peak. The program fails
-// when the vector units, or a plain loop, disagree. See docs/performance.md.
+// when the vector units, or a plain loop, disagree. See docs/results/performance.md.
 //
 //   bench_peaks [--quick]      --quick: 10^6 samples
 #include <fmt/format.h>
@@ -19,6 +19,8 @@
 #include "peaks/find_peaks.hpp"
 #include "peaks/statistics.hpp"
 #include "peaks/zero_force.hpp"
+
+using namespace bitrock;
 
 namespace {
 

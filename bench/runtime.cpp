@@ -2,7 +2,7 @@
 // m/h, asked through the C interface. First with the shipped networks, which make several hundred peaks a cutter and
 // window: this is what `bitrock signal` and an FMU do. Then with networks of the article's layers and random weights
 // that make some 30, to see what remains when windows cost little. The program fails when saving and restoring the
-// state before each sample changes a bit of the forces. See docs/performance.md.
+// state before each sample changes a bit of the forces. See docs/results/performance.md.
 //
 //   bench_runtime
 #include <fmt/format.h>
@@ -21,6 +21,8 @@
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/core/conditions.hpp"
 #include "surrogate/net/model_file.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -109,8 +111,7 @@ void row(const std::string& name, const Measured& measured, int samples, double 
 double peaks_a_window(const surrogate::Model& model, const runtime::Bit& bit, const runtime::Cutter& cutter) {
   const surrogate::CutConditions conditions =
       runtime::cut_conditions(cutter.radius, cutter.back_rake, rotation, rate_of_penetration);
-  const runtime::PeakStatistics x =
-      runtime::named(listed(predict(model, clamped_to_training_range(model, conditions)))).x;
+  const peaks::PeakRates x = runtime::named(listed(predict(model, clamped_to_training_range(model, conditions)))).x;
   return (x.np1 + x.np23 + x.np4) * cutter.radius * bit.signal.window_angle;
 }
 

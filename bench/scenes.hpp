@@ -9,11 +9,13 @@
 
 #include "base/random.hpp"
 #include "dem2d/cut/run_cut.hpp"
+#include "dem2d/files/specimen_file.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/specimen/order.hpp"
-#include "dem2d/specimen/specimen_file.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
+
+using namespace bitrock;
 
 namespace bench {
 

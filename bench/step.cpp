@@ -1,6 +1,6 @@
 // What one step of the engine costs: bonded rock at rest and rock that is being cut, on one thread and on two, where
 // the time goes, what each trick is worth, how much memory a disc takes. Every number stands beside a hash of what was
-// computed, and the program fails when two ways of computing the same disagree. See docs/performance.md.
+// computed, and the program fails when two ways of computing the same disagree. See docs/results/performance.md.
 //
 //   bench_step [--quick] [--json FILE]      --quick: 5,000 discs only
 #include <fmt/format.h>
@@ -19,6 +19,8 @@
 #include "base/files.hpp"
 #include "base/thread_time.hpp"
 #include "bench/scenes.hpp"
+
+using namespace bitrock;
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include "cli/bit_tallies.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -45,11 +45,4 @@ void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps
   }
 }
 
-void add_clamps(runtime::ClampTally& sum, const runtime::ClampTally& clamps) {
-  using Tally = runtime::ClampTally;
-  for (std::int64_t Tally::*count : {&Tally::asked, &Tally::speed_below, &Tally::speed_above, &Tally::depth_below,
-                                     &Tally::depth_above, &Tally::rake_below, &Tally::rake_above})
-    sum.*count += clamps.*count;
-}
-
-}  // namespace cli
+}  // namespace bitrock::cli

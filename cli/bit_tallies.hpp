@@ -5,7 +5,7 @@
 #include "cli/command.hpp"
 #include "runtime/bit/bit_force.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 nlohmann::json as_json(const runtime::ClampTally& clamps);
 nlohmann::json as_json(const runtime::DrawTally& draws);
@@ -15,7 +15,4 @@ nlohmann::json as_json(const runtime::DrawTally& draws);
 /// `asked` says by how much (`runtime::asked_outside`), and at which motion; it may be empty.
 void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps, const std::string& asked);
 
-/// Adds the counts of one run to those of others.
-void add_clamps(runtime::ClampTally& sum, const runtime::ClampTally& clamps);
-
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -1,4 +1,5 @@
 // bitrock calibrate: micro-parameters of a synthetic rock from its laboratory numbers.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -7,18 +8,17 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
+#include "base/value_lists.hpp"
 #include "cli/command.hpp"
-#include "cli/ranges.hpp"
-#include "dem2d/calibrate/calibrated_rock.hpp"
-#include "dem2d/calibrate/laboratory.hpp"
-#include "dem2d/lab/loading_rate.hpp"
-#include "dem2d/step/step.hpp"
+#include "studies/calibrate/calibrated_rock.hpp"
+#include "studies/calibrate/cost.hpp"
+#include "studies/calibrate/laboratory.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
-using dem2d::Property;
+using studies::Property;
 
 struct Options {
   CommonOptions common;
@@ -26,38 +26,33 @@ struct Options {
   bool friction = false;
 };
 
-// For the estimates of --check only.
-constexpr double typical_step = 0.5;         // of radius / wave speed: a disc between four neighbours of its size
-constexpr double load_after_expected = 1.3;  // a test goes on until the stress has fallen again
-constexpr int typical_coarse_evaluations = 5, typical_fine_evaluations = 3;
-
-/// "first:last", both included; all of them new to the calibration.
-std::vector<int> fresh_seeds(const Options& options, const dem2d::CalibrationTarget& target) {
+/// All of them new to the calibration.
+std::vector<int> fresh_seeds(const Options& options, const studies::CalibrationTarget& target) {
   if (options.validate_seeds.empty()) return {};
-  std::vector<int> seeds = seed_range("--validate-seeds", options.validate_seeds);
+  std::vector<int> seeds = base::seeds_in("--validate-seeds", options.validate_seeds);
   const int begin = target.settings.first_seed, end = begin + target.settings.seeds;
-  if (seeds.front() < end && seeds.back() >= begin) {
+  if (std::any_of(seeds.begin(), seeds.end(), [&](int seed) { return seed >= begin && seed < end; })) {
     throw base::InputError(fmt::format("--validate-seeds {} (seeds {} to {} are those of the calibration; take others)",
                                        options.validate_seeds, begin, end - 1));
   }
   return seeds;
 }
 
-nlohmann::json numbers_json(const dem2d::CalibrationTarget& target, const dem2d::Evaluation& evaluation) {
+nlohmann::json numbers_json(const studies::CalibrationTarget& target, const studies::Evaluation& evaluation) {
   nlohmann::json mean, deviation, error;
-  for (const Property property : dem2d::all_properties) {
-    const char* key = dem2d::words_of(property).si_key;
-    const base::Summary& measured = evaluation.measured[dem2d::index_of(property)];
-    const double wanted = target.wanted[dem2d::index_of(property)];
+  for (const Property property : studies::all_properties) {
+    const char* key = studies::words_of(property).si_key;
+    const base::Summary& measured = evaluation.measured[studies::index_of(property)];
+    const double wanted = target.wanted[studies::index_of(property)];
     mean[key] = measured.count > 0 ? nlohmann::json(measured.mean) : nullptr;
     deviation[key] = measured.count > 0 ? nlohmann::json(measured.standard_deviation) : nullptr;
-    error[key] =
-        measured.count > 0 && wanted > 0.0 ? nlohmann::json(dem2d::error_of(property, measured.mean, wanted)) : nullptr;
+    error[key] = measured.count > 0 && wanted > 0.0 ? nlohmann::json(studies::error_of(property, measured.mean, wanted))
+                                                    : nullptr;
   }
   return {{"mean", mean}, {"sd", deviation}, {"error", error}};
 }
 
-nlohmann::json micro_json(const dem2d::Micro& micro) {
+nlohmann::json micro_json(const studies::Micro& micro) {
   return {{"effective_modulus_Pa", micro[0]},
           {"stiffness_ratio", micro[1]},
           {"tensile_strength_Pa", micro[2]},
@@ -65,22 +60,22 @@ nlohmann::json micro_json(const dem2d::Micro& micro) {
           {"friction_coefficient", micro[4]}};
 }
 
-std::string micro_text(const dem2d::Micro& micro) {
+std::string micro_text(const studies::Micro& micro) {
   return fmt::format("E* {:.4g} GPa, kappa {:.4g}, tensile {:.4g} MPa, cohesion {:.4g} MPa, friction {:.3g}",
                      base::in_units(micro[0], base::GPa), micro[1], base::in_units(micro[2], base::MPa),
                      base::in_units(micro[3], base::MPa), micro[4]);
 }
 
-void print_evaluation(const Options& options, const dem2d::CalibrationTarget& target,
-                      const dem2d::Evaluation& evaluation, int number) {
+void print_evaluation(const Options& options, const studies::CalibrationTarget& target,
+                      const studies::Evaluation& evaluation, int number) {
   say(options.common, "evaluation {}: {}\n", number, micro_text(evaluation.micro));
   std::string text;
   int specimens = 0;
-  for (const Property property : dem2d::all_properties) {
-    const base::Summary& measured = evaluation.measured[dem2d::index_of(property)];
-    if (!dem2d::is_wanted(target, property) || measured.count == 0) continue;
-    const dem2d::PropertyWords& words = dem2d::words_of(property);
-    const double error = dem2d::error_of(property, measured.mean, target.wanted[dem2d::index_of(property)]);
+  for (const Property property : studies::all_properties) {
+    const base::Summary& measured = evaluation.measured[studies::index_of(property)];
+    if (!studies::is_wanted(target, property) || measured.count == 0) continue;
+    const studies::PropertyWords& words = studies::words_of(property);
+    const double error = studies::error_of(property, measured.mean, target.wanted[studies::index_of(property)]);
     text += fmt::format("{}{} {:.4g}{}{} ({})", text.empty() ? "" : ", ", words.name, measured.mean / words.si_per_unit,
                         *words.unit == '\0' ? "" : " ", words.unit,
                         words.relative_error ? fmt::format("{:+.1f} %", 100.0 * error) : fmt::format("{:+.3f}", error));
@@ -91,32 +86,23 @@ void print_evaluation(const Options& options, const dem2d::CalibrationTarget& ta
   std::fflush(stdout);
 }
 
-void print_plan(const Options& options, const dem2d::CalibrationTarget& target) {
-  const dem2d::CalibrationSettings& settings = target.settings;
-  const dem2d::LabSettings lab = dem2d::lab_settings_of(target);
-  const double discs = dem2d::expected_discs(target.start, lab.width, lab.height);
-  const double step =
-      typical_step * target.start.radius_min * std::sqrt(target.start.density / target.start.joint_modulus);
-  double seconds_per_specimen = 0.0;
-  for (const dem2d::LabTest test : dem2d::tests_of(target)) {
-    const double strain = dem2d::expected_strength(test, target.start) / target.start.joint_modulus;
-    const double duration = load_after_expected * strain / dem2d::default_strain_rate(test, target.start, lab);
-    seconds_per_specimen += duration / step * discs * dem2d::typical_ns_per_disc_step * 1e-9;
-  }
-  const int specimens =
-      typical_coarse_evaluations * settings.scouting_seeds + typical_fine_evaluations * settings.seeds;
-  const double minutes = specimens * seconds_per_specimen / options.common.threads / 60.0;
+void print_plan(const Options& options, const studies::CalibrationTarget& target) {
+  const studies::CalibrationSettings& settings = target.settings;
+  const dem2d::LabSettings lab = studies::lab_settings_of(target);
+  const studies::CalibrationCost cost = studies::cost_of(target);
+  const double minutes = cost.core_seconds / options.common.threads / 60.0;
   say(options.common,
       "{}: cores of {:g} x {:g} mm, about {:.0f} discs; seeds {} to {}, {} of them while scouting; about {:.2g} s of "
       "one core a specimen; usually {} + {} evaluations (at most {}), about {:.2g} minutes on {} cores\n",
-      target.name, base::in_units(lab.width, base::mm), base::in_units(lab.height, base::mm), discs,
-      settings.first_seed, settings.first_seed + settings.seeds - 1, settings.scouting_seeds, seconds_per_specimen,
-      typical_coarse_evaluations, typical_fine_evaluations, settings.most_evaluations, minutes, options.common.threads);
-  write_json(options.common, {{"discs", std::llround(discs)},
+      target.name, base::in_units(lab.width, base::mm), base::in_units(lab.height, base::mm), cost.discs,
+      settings.first_seed, settings.first_seed + settings.seeds - 1, settings.scouting_seeds,
+      cost.core_seconds_per_specimen, studies::usual_coarse_evaluations, studies::usual_fine_evaluations,
+      settings.most_evaluations, minutes, options.common.threads);
+  write_json(options.common, {{"discs", std::llround(cost.discs)},
                               {"seeds", settings.seeds},
                               {"scouting_seeds", settings.scouting_seeds},
                               {"most_evaluations", settings.most_evaluations},
-                              {"core_seconds_per_specimen", seconds_per_specimen},
+                              {"core_seconds_per_specimen", cost.core_seconds_per_specimen},
                               {"expected_minutes", minutes}});
 }
 
@@ -128,28 +114,29 @@ std::string command_of(const Options& options) {
   return command;
 }
 
-void print_fresh(const Options& options, const dem2d::CalibrationTarget& target, const dem2d::FreshSpecimens& fresh) {
-  say(options.common, "on fresh specimens, seeds {} to {}:\n", fresh.seeds.front(), fresh.seeds.back());
-  for (const std::string& line : dem2d::lines_about(target, fresh.result)) say(options.common, "    {}\n", line);
+void print_fresh(const Options& options, const studies::CalibrationTarget& target,
+                 const studies::FreshSpecimens& fresh) {
+  say(options.common, "on fresh specimens, seeds {}:\n", base::seeds_text(fresh.seeds));
+  for (const std::string& line : studies::lines_about(target, fresh.result)) say(options.common, "    {}\n", line);
 }
 
-bool fresh_within(const dem2d::CalibrationTarget& target, const dem2d::FreshSpecimens& fresh) {
+bool fresh_within(const studies::CalibrationTarget& target, const studies::FreshSpecimens& fresh) {
   bool within = true;
-  for (const Property property : dem2d::all_properties) {
-    if (!dem2d::is_wanted(target, property)) continue;
-    const double mean = fresh.result.measured[dem2d::index_of(property)].mean;
-    const double error = dem2d::error_of(property, mean, target.wanted[dem2d::index_of(property)]);
-    within = within && std::abs(error) <= dem2d::fresh_tolerance(property);
+  for (const Property property : studies::all_properties) {
+    if (!studies::is_wanted(target, property)) continue;
+    const double mean = fresh.result.measured[studies::index_of(property)].mean;
+    const double error = studies::error_of(property, mean, target.wanted[studies::index_of(property)]);
+    within = within && std::abs(error) <= studies::fresh_tolerance(property);
   }
   return within;
 }
 
-nlohmann::json result_json(const dem2d::CalibrationTarget& target, const dem2d::Calibration& calibration,
-                           const std::optional<dem2d::FreshSpecimens>& fresh) {
+nlohmann::json result_json(const studies::CalibrationTarget& target, const studies::Calibration& calibration,
+                           const std::optional<studies::FreshSpecimens>& fresh) {
   nlohmann::json wanted, evaluations = nlohmann::json::array();
-  for (const Property property : dem2d::all_properties) {
-    const double value = target.wanted[dem2d::index_of(property)];
-    wanted[dem2d::words_of(property).si_key] = value > 0.0 ? nlohmann::json(value) : nullptr;
+  for (const Property property : studies::all_properties) {
+    const double value = target.wanted[studies::index_of(property)];
+    wanted[studies::words_of(property).si_key] = value > 0.0 ? nlohmann::json(value) : nullptr;
   }
   const nlohmann::json numbers = numbers_json(target, calibration.best);
   nlohmann::json result{{"target", wanted},
@@ -158,11 +145,11 @@ nlohmann::json result_json(const dem2d::CalibrationTarget& target, const dem2d::
                         {"error", numbers["error"]},
                         {"evaluations", calibration.evaluations.size()},
                         {"micro", micro_json(calibration.best.micro)},
-                        {"status", dem2d::name_of(calibration.end)},
-                        {"reason", dem2d::reason_of(target, calibration)},
+                        {"status", studies::name_of(calibration.end)},
+                        {"reason", studies::reason_of(target, calibration)},
                         {"limits", calibration.limits},
                         {"failures", calibration.failures}};
-  for (const dem2d::Evaluation& evaluation : calibration.evaluations) {
+  for (const studies::Evaluation& evaluation : calibration.evaluations) {
     evaluations.push_back(
         {{"micro", micro_json(evaluation.micro)}, {"mean", numbers_json(target, evaluation)["mean"]}});
   }
@@ -179,16 +166,16 @@ nlohmann::json result_json(const dem2d::CalibrationTarget& target, const dem2d::
 }
 
 /// The tests of a calibration, each evaluation with a progress line of its own.
-dem2d::Evaluation evaluate(const Options& options, dem2d::Laboratory& laboratory, const dem2d::Micro& micro,
-                           const std::vector<int>& seeds) {
+studies::Evaluation evaluate(const Options& options, studies::Laboratory& laboratory, const studies::Micro& micro,
+                             const std::vector<int>& seeds) {
   Progress progress(options.common, "testing", "tests");
   return laboratory.evaluate(micro, seeds, progress.callback());
 }
 
 /// Writes the rock and the JSON, the second time with the fresh specimens.
-void keep(const Options& options, const dem2d::CalibrationTarget& target, const dem2d::Calibration& calibration,
-          const std::optional<dem2d::FreshSpecimens>& fresh, const dem2d::LaboratoryCount& count, double wall) {
-  base::write_whole(options.output, dem2d::calibrated_rock_toml(target, calibration, command_of(options), fresh));
+void keep(const Options& options, const studies::CalibrationTarget& target, const studies::Calibration& calibration,
+          const std::optional<studies::FreshSpecimens>& fresh, const studies::LaboratoryCount& count, double wall) {
+  base::write_whole(options.output, studies::calibrated_rock_toml(target, calibration, command_of(options), fresh));
   nlohmann::json result = result_json(target, calibration, fresh);
   result["wall_s"] = wall;
   result["core_seconds"] = count.core_seconds;
@@ -197,62 +184,64 @@ void keep(const Options& options, const dem2d::CalibrationTarget& target, const 
   write_json(options.common, result);
 }
 
-dem2d::FreshSpecimens test_fresh(const Options& options, const dem2d::Calibration& calibration,
-                                 const std::vector<int>& seeds, dem2d::Laboratory& laboratory) {
+studies::FreshSpecimens test_fresh(const Options& options, const studies::Calibration& calibration,
+                                   const std::vector<int>& seeds, studies::Laboratory& laboratory) {
   try {
     return {.seeds = seeds, .result = evaluate(options, laboratory, calibration.best.micro, seeds)};
   } catch (const base::OutputError&) {
     throw;
   } catch (const base::SimulationError& error) {
     throw base::SimulationError(fmt::format("--validate-seeds {}: {}; the calibrated rock ({}) is in {} without them",
-                                            options.validate_seeds, error.what(), dem2d::name_of(calibration.end),
+                                            options.validate_seeds, error.what(), studies::name_of(calibration.end),
                                             options.output));
   }
 }
 
-void run_calibration(const Options& options, const dem2d::CalibrationTarget& target, const std::vector<int>& fresh_list,
-                     dem2d::Laboratory& laboratory) {
+void run_calibration(const Options& options, const studies::CalibrationTarget& target,
+                     const std::vector<int>& fresh_list, studies::Laboratory& laboratory) {
   const auto started = std::chrono::steady_clock::now();
   const int first = target.settings.first_seed;
-  const dem2d::Calibration calibration = dem2d::calibrate(
+  const studies::Calibration calibration = studies::calibrate(
       target, {.friction = options.friction},
-      [&](const dem2d::Micro& micro, int seeds) {
-        return evaluate(options, laboratory, micro, dem2d::seeds_from(first, seeds));
+      [&](const studies::Micro& micro, int seeds) {
+        return evaluate(options, laboratory, micro, studies::seeds_from(first, seeds));
       },
-      [&](const dem2d::Evaluation& evaluation, int number) { print_evaluation(options, target, evaluation, number); });
+      [&](const studies::Evaluation& evaluation, int number) {
+        print_evaluation(options, target, evaluation, number);
+      });
   const auto wall = [started] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   };
   say(options.common, "{} after {} evaluations, {} tests ({} more from the journal), {}\n",
-      dem2d::name_of(calibration.end), calibration.evaluations.size(), laboratory.count().tests,
+      studies::name_of(calibration.end), calibration.evaluations.size(), laboratory.count().tests,
       laboratory.count().reused, base::readable_duration(wall()));
-  for (const std::string& line : dem2d::lines_about(target, calibration.best)) say(options.common, "    {}\n", line);
+  for (const std::string& line : studies::lines_about(target, calibration.best)) say(options.common, "    {}\n", line);
   keep(options, target, calibration, {}, laboratory.count(), wall());
   say(options.common, "-> {}\n", options.output);
   if (!fresh_list.empty()) {
-    const dem2d::FreshSpecimens fresh = test_fresh(options, calibration, fresh_list, laboratory);
+    const studies::FreshSpecimens fresh = test_fresh(options, calibration, fresh_list, laboratory);
     print_fresh(options, target, fresh);
     keep(options, target, calibration, fresh, laboratory.count(), wall());
   }
-  if (calibration.end == dem2d::SearchEnd::reached) return;
+  if (calibration.end == studies::SearchEnd::reached) return;
   std::string nearest;
-  for (const std::string& line : dem2d::lines_about(target, calibration.best)) nearest += "\n  " + line;
+  for (const std::string& line : studies::lines_about(target, calibration.best)) nearest += "\n  " + line;
   throw base::SimulationError(fmt::format("the target was not reached: {}; the nearest is kept in {}:{}",
-                                          dem2d::reason_of(target, calibration), options.output, nearest));
+                                          studies::reason_of(target, calibration), options.output, nearest));
 }
 
 void run(const Options& options) {
-  const dem2d::CalibrationTarget target = dem2d::read_target(options.target_file);
-  for (const std::string& warning : dem2d::warnings(target)) warn(options.common, warning);
+  const studies::CalibrationTarget target = studies::read_target(options.target_file);
+  for (const std::string& warning : studies::warnings(target)) warn(options.common, warning);
   const std::vector<int> fresh_list = fresh_seeds(options, target);
-  dem2d::check_tests(target);
+  studies::check_tests(target);
   const std::string journal_file =
       options.journal_file.empty() ? options.output + ".journal.csv" : options.journal_file;
   require_outputs(options.common, {options.target_file, target.rock_file}, {options.output, journal_file});
-  dem2d::Journal journal(journal_file, dem2d::journal_inputs(target));
+  studies::Journal journal(journal_file, studies::journal_inputs(target));
   if (!journal.left_out().empty()) warn(options.common, journal.left_out());
   if (options.common.check) return print_plan(options, target);
-  dem2d::Laboratory laboratory(target, journal, options.common.threads);
+  studies::Laboratory laboratory(target, journal, options.common.threads);
   try {
     run_calibration(options, target, fresh_list, laboratory);
   } catch (const base::Interrupted&) {
@@ -278,9 +267,8 @@ void add_calibrate(CLI::App& app) {
                     "also change the friction of broken elements, when cohesion alone cannot give UCS");
   command
       ->add_option("--validate-seeds", options->validate_seeds,
-                   "then test the result on these fresh specimens: first:last, e.g. 101:110")
-      ->check(CLI::Validator(
-          [](const std::string& text) { return text.empty() ? "write first:last, e.g. 101:110" : ""; }, ""));
+                   "then test the result on these fresh specimens, e.g. 101:110")
+      ->check(not_empty());
   add_common(*command, options->common);
   options->common.threads = cores();
   command->add_option("--threads", options->common.threads, "tests side by side (the result does not depend on it)")
@@ -290,4 +278,4 @@ void add_calibrate(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -6,13 +6,13 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
-#include "campaigns/accepted.hpp"
-#include "campaigns/collect.hpp"
-#include "campaigns/plan.hpp"
-#include "campaigns/runner.hpp"
-#include "cli/ranges.hpp"
+#include "base/value_lists.hpp"
+#include "studies/campaign/accepted.hpp"
+#include "studies/campaign/collect.hpp"
+#include "studies/campaign/plan.hpp"
+#include "studies/campaign/runner.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -31,8 +31,8 @@ nlohmann::json or_null(const std::optional<double>& value) {
 }
 
 /// "i/n" with 1 <= i <= n.
-void parse_shard(const std::string& text, campaigns::RunOptions& run) {
-  const auto numbers = two_counts(text, '/');
+void parse_shard(const std::string& text, studies::RunOptions& run) {
+  const auto numbers = base::two_counts(text, '/');
   if (!numbers || (*numbers)[0] < 1 || (*numbers)[0] > (*numbers)[1]) {
     throw base::InputError(fmt::format("--shard {} (write i/n with 1 <= i <= n, e.g. 2/8)", text));
   }
@@ -40,12 +40,12 @@ void parse_shard(const std::string& text, campaigns::RunOptions& run) {
   run.shards = (*numbers)[1];
 }
 
-std::string described(const campaigns::Job& job) {
+std::string described(const studies::Job& job) {
   return fmt::format("case {} seed {}: {:g} m/s, {:g} mm, {:g} deg", job.case_number, job.seed, job.cut.cutter_speed,
                      base::in_units(job.cut.depth_of_cut, base::mm), base::in_units(job.cut.back_rake, base::deg));
 }
 
-void print_job(const campaigns::JobReport& report) {
+void print_job(const studies::JobReport& report) {
   const std::string place = fmt::format("[{}/{}] {}", report.finished, report.total, described(*report.job));
   if (report.elsewhere) {
     print(place + " done by another runner\n");
@@ -57,11 +57,11 @@ void print_job(const campaigns::JobReport& report) {
   }
 }
 
-void accept_tables(const CollectFlags& flags, const campaigns::Study& study) {
+void accept_tables(const CollectFlags& flags, const studies::Study& study) {
   if (flags.accept.empty()) return;
-  campaigns::open_folder(study, flags.campaign.folder);
+  studies::open_folder(study, flags.campaign.folder);
   for (const std::string& table : flags.accept) {
-    const campaigns::Acceptance accepted = campaigns::keep_accepted(study, flags.campaign.folder, table);
+    const studies::Acceptance accepted = studies::keep_accepted(study, flags.campaign.folder, table);
     say(flags.campaign.common, "{}: {} rows accepted, {} of no job of this study; {} accepted in all\n", table,
         accepted.added, accepted.all.strangers, accepted.all.rows.size());
     warn(flags.campaign.common, accepted.all.warnings);
@@ -70,8 +70,8 @@ void accept_tables(const CollectFlags& flags, const campaigns::Study& study) {
 
 void run_campaign(const RunFlags& flags) {
   const CampaignOptions& options = flags.campaign;
-  const campaigns::Study study = study_of(options);
-  campaigns::RunOptions run{.workers = flags.workers};
+  const studies::Study study = study_of(options);
+  studies::RunOptions run{.workers = flags.workers};
   parse_shard(flags.shard, run);
   const std::filesystem::path folder = options.folder;
   if (options.common.check) {
@@ -84,8 +84,8 @@ void run_campaign(const RunFlags& flags) {
     run.on_job = print_job;
     run.on_stage = [](const std::string& text) { print(text + "\n"); };
   }
-  campaigns::run(study, folder, run);
-  const campaigns::Status status = campaigns::status(study, folder);
+  studies::run(study, folder, run);
+  const studies::Status status = studies::status(study, folder);
   print(options, status);
   if (status.failed > 0) {
     throw base::SimulationError(
@@ -96,12 +96,12 @@ void run_campaign(const RunFlags& flags) {
 
 void show_status(const CampaignOptions& options) {
   require_outputs(options.common, {options.study_file}, {});
-  const campaigns::Survey survey = campaigns::look(campaigns::read_study(options.study_file), options.folder);
-  for (const campaigns::RunningJob& running : survey.running) {
-    const campaigns::RunningRecord& record = running.record;
+  const studies::Survey survey = studies::look(studies::read_study(options.study_file), options.folder);
+  for (const studies::RunningJob& running : survey.running) {
+    const studies::RunningRecord& record = running.record;
     say(options.common, "running: {}, {:.0f} % after {} ({}, process {})\n", described(running.job),
-        100.0 * record.share_done, base::readable_duration(std::max(0.0, campaigns::now() - record.started)),
-        record.host, record.pid);
+        100.0 * record.share_done, base::readable_duration(std::max(0.0, studies::now() - record.started)), record.host,
+        record.pid);
   }
   print(options, survey.status);
 }
@@ -110,17 +110,17 @@ void collect(const CollectFlags& flags) {
   const CampaignOptions& options = flags.campaign;
   const std::filesystem::path folder = options.folder;
   require_outputs(options.common, {options.study_file}, {});
-  const campaigns::Study study = campaigns::read_study(options.study_file);
+  const studies::Study study = studies::read_study(options.study_file);
   accept_tables(flags, study);
-  const campaigns::Status status = campaigns::status(study, folder);
-  const campaigns::Collection collection = campaigns::collect(study, folder);
+  const studies::Status status = studies::status(study, folder);
+  const studies::Collection collection = studies::collect(study, folder);
   if (collection.rows.empty()) {
     throw base::InputError(
         fmt::format("{}: no finished runs to collect (first: bitrock campaign run)", options.folder));
   }
   warn(options.common, collection.warnings);
-  base::write_whole(folder / "features.csv", campaigns::features_csv(collection.rows));
-  base::write_whole(folder / "features_mean.csv", campaigns::features_mean_csv(collection.rows));
+  base::write_whole(folder / "features.csv", studies::features_csv(collection.rows));
+  base::write_whole(folder / "features_mean.csv", studies::features_mean_csv(collection.rows));
   say(options.common, "{} rows -> {}, {}\n", collection.rows.size(), (folder / "features.csv").string(),
       (folder / "features_mean.csv").string());
   print(options, status);
@@ -179,9 +179,9 @@ void find_study(CampaignOptions& options) {
   options.study_file = kept.string();
 }
 
-campaigns::Study study_of(const CampaignOptions& options) {
-  campaigns::Study study = campaigns::read_study(options.study_file);
-  warn(options.common, campaigns::warnings(study));
+studies::Study study_of(const CampaignOptions& options) {
+  studies::Study study = studies::read_study(options.study_file);
+  warn(options.common, studies::warnings(study));
   return study;
 }
 
@@ -200,7 +200,7 @@ void add_campaign_folder(CLI::App& action, CampaignOptions& options) {
   action.add_option("--dir", options.folder, "folder of the campaign")->required()->check(not_empty());
 }
 
-nlohmann::json as_json(const campaigns::Status& status) {
+nlohmann::json as_json(const studies::Status& status) {
   return {{"cases", status.cases},
           {"done", status.done},
           {"running", status.running},
@@ -211,7 +211,7 @@ nlohmann::json as_json(const campaigns::Status& status) {
           {"time_left_s", or_null(status.time_left)}};
 }
 
-void print(const CampaignOptions& options, const campaigns::Status& status) {
+void print(const CampaignOptions& options, const studies::Status& status) {
   std::string rest;
   if (status.time_left && *status.time_left > 0.0) {
     rest = fmt::format("; about {} left", base::readable_duration(*status.time_left));
@@ -240,4 +240,4 @@ void add_campaign(CLI::App& app) {
   add_campaign_submit(*campaign);
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

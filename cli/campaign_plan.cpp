@@ -1,12 +1,12 @@
 // bitrock campaign plan: what a study will cost.
-#include "campaigns/plan.hpp"
+#include "studies/campaign/plan.hpp"
 
 #include <ranges>
 
 #include "base/units.hpp"
 #include "cli/campaign.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -20,12 +20,12 @@ struct Options {
 
 }  // namespace
 
-void print_plan(const CampaignOptions& options, const campaigns::Study& study, double ns_per_disc_step) {
-  const campaigns::Plan plan = campaigns::plan(study, options.folder, ns_per_disc_step);
+void print_plan(const CampaignOptions& options, const studies::Study& study, double ns_per_disc_step) {
+  const studies::Plan plan = studies::plan(study, options.folder, ns_per_disc_step);
   const int remaining = plan.jobs - plan.done - plan.failed;
   say(options.common, "{} cases, {} cuts: {} done, {} failed, {} remaining; {} rocks, {} to be made\n", plan.cases,
       plan.jobs, plan.done, plan.failed, remaining, plan.rocks, plan.rocks_to_make);
-  for (const campaigns::PlanPart& part : plan.parts | std::views::take(most_lines)) {
+  for (const studies::PlanPart& part : plan.parts | std::views::take(most_lines)) {
     say(options.common,
         "depth {:g} mm: {} cuts of {:g} mm in {:g} x {:g} mm, {:.0f} discs; {:.3g} steps, {:.3g} core-hours\n",
         base::in_units(part.depth_of_cut, base::mm), part.jobs, base::in_units(part.cut_length, base::mm),
@@ -70,4 +70,4 @@ void add_campaign_plan(CLI::App& campaign) {
   });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

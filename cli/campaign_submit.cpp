@@ -2,18 +2,18 @@
 #include <regex>
 
 #include "base/errors.hpp"
-#include "campaigns/folder.hpp"
-#include "campaigns/slurm.hpp"
 #include "cli/campaign.hpp"
+#include "studies/campaign/folder.hpp"
+#include "studies/campaign/slurm.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
 struct Options {
   CampaignOptions campaign;
   std::string engine = "slurm";
-  campaigns::SlurmOptions slurm;
+  studies::SlurmOptions slurm;
   bool dry_run = false;
 };
 
@@ -27,14 +27,14 @@ CLI::Validator matching(const std::string& pattern, const std::string& meaning) 
 void submit(const Options& options) {
   const CampaignOptions& campaign = options.campaign;
   require_outputs(campaign.common, {campaign.study_file}, {});
-  const campaigns::Study study = study_of(campaign);
-  campaigns::open_folder(study, campaign.folder);
-  const campaigns::Status status = campaigns::status(study, campaign.folder);
-  const campaigns::SlurmScripts scripts = campaigns::write_slurm_scripts(
+  const studies::Study study = study_of(campaign);
+  studies::open_folder(study, campaign.folder);
+  const studies::Status status = studies::status(study, campaign.folder);
+  const studies::SlurmScripts scripts = studies::write_slurm_scripts(
       study, campaign.folder, std::filesystem::read_symlink("/proc/self/exe"), options.slurm);
   if (!options.slurm.time_limit.empty()) {
-    const campaigns::Plan plan = campaigns::plan(study, campaign.folder);
-    for (const std::string& warning : campaigns::warnings(plan, options.slurm, scripts.tasks))
+    const studies::Plan plan = studies::plan(study, campaign.folder);
+    for (const std::string& warning : studies::warnings(plan, options.slurm, scripts.tasks))
       warn(campaign.common, warning);
   }
   nlohmann::json json = as_json(status);
@@ -45,7 +45,7 @@ void submit(const Options& options) {
   const bool all_done = status.done == status.cases;
   if (all_done) say(campaign.common, "all {} runs are done: nothing to submit\n", status.cases);
   if (!all_done && !options.dry_run) {
-    const campaigns::SlurmJobs submitted = campaigns::submit(scripts);
+    const studies::SlurmJobs submitted = studies::submit(scripts);
     json["array_job"] = submitted.array;
     json["collect_job"] = submitted.collect;
     say(campaign.common, "submitted: array job {}, collect job {} when it has ended\n", submitted.array,
@@ -65,7 +65,7 @@ void add_campaign_submit(CLI::App& campaign) {
       ->check(CLI::IsMember({"slurm"}))
       ->capture_default_str();
   command->add_option("--tasks", options->slurm.tasks, "tasks that share the cuts (default: one a cut, at most 1000)")
-      ->check(CLI::Range(1, campaigns::most_tasks));
+      ->check(CLI::Range(1, studies::most_tasks));
   command->add_option("--time", options->slurm.time_limit, "limit of a task, HH:MM:SS or D-HH:MM:SS")
       ->check(matching("([0-9]+-)?[0-9]+:[0-5][0-9]:[0-5][0-9]", "HH:MM:SS or D-HH:MM:SS"));
   command->add_option("--mem", options->slurm.memory_MB, "memory of a task [MB]")
@@ -80,4 +80,4 @@ void add_campaign_submit(CLI::App& campaign) {
   });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

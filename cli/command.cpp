@@ -13,9 +13,9 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "base/unit_hint.hpp"
-#include "cli/watch.hpp"
+#include "base/watch.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -43,7 +43,7 @@ std::string one_message(const std::string& text) {
 void add_common(CLI::App& command, CommonOptions& options) {
   command.add_option("--json", options.json_file, "write the result as JSON to this file")->check(not_empty());
   command.add_flag("--quiet", options.quiet, "print only warnings and errors");
-  command.parse_complete_callback([&command, &options] { at_work(options.quiet ? "" : full_name(command)); });
+  command.parse_complete_callback([&command, &options] { base::at_work(options.quiet ? "" : full_name(command)); });
 }
 
 void add_computing(CLI::App& command, CommonOptions& options) {
@@ -110,4 +110,4 @@ int cores() {
   return base::available_cores();
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -13,7 +13,7 @@
 #include "base/config.hpp"
 #include "base/progress.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 struct CommonOptions {
   std::string json_file;
@@ -95,4 +95,4 @@ void add_export_config(CLI::App& export_command);
 void add_export_model(CLI::App& export_command);
 void add_export_fmu(CLI::App& export_command);
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -2,13 +2,14 @@
 #include <memory>
 
 #include "base/errors.hpp"
-#include "campaigns/plan.hpp"
 #include "cli/command.hpp"
-#include "dem2d/output/run_file.hpp"
-#include "dem2d/specimen/specimen_file.hpp"
+#include "dem2d/files/run_file.hpp"
+#include "dem2d/files/specimen_file.hpp"
+#include "dem2d/step/cost.hpp"
 #include "peaks/statistics.hpp"
+#include "studies/campaign/plan.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -45,7 +46,7 @@ void print_plan(const Options& options, const dem2d::CutCase& cut) {
   const dem2d::World world = dem2d::make_cut_world(cut, bed);
   const dem2d::CutSchedule plan = dem2d::plan_steps(cut, world.step);
   const double steps = static_cast<double>(plan.steps());
-  const double minutes = steps * static_cast<double>(bed.x.size()) * dem2d::typical_ns_per_disc_step * 1e-9 / 60.0;
+  const double minutes = dem2d::expected_core_seconds(steps, static_cast<double>(bed.x.size())) / 60.0;
   say(options.common,
       "discs {}, joints {}, critical step {:.3g} s, step {:.3g} s, steps {:.0f}, samples {}, duration {:.4g} s, about "
       "{:.2g} minutes on one core\n",
@@ -148,4 +149,4 @@ void add_cut(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -2,10 +2,10 @@
 // `map` have files of their own.
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "base/units.hpp"
 #include "cli/bit_tallies.hpp"
 #include "cli/command.hpp"
 #include "cli/drill_parts.hpp"
@@ -13,11 +13,11 @@
 #include "runtime/drillstring/modes.hpp"
 #include "runtime/drillstring/steadiness.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
-constexpr double rpm = 2.0 * std::numbers::pi / 60.0;  // [rad/s]
+using base::rpm;
 
 struct Options {
   CommonOptions common;
@@ -193,4 +193,4 @@ void add_drill(CLI::App& app) {
   add_drill_map(*drill);
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -1,17 +1,17 @@
 #include "cli/drill_parts.hpp"
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/units.hpp"
 #include "cli/bit_tallies.hpp"
 #include "runtime/bit/asked_range.hpp"
 #include "surrogate/net/model_file.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
-constexpr double rpm = 2.0 * std::numbers::pi / 60.0;  // [rad/s]
+using base::rpm;
 
 nlohmann::json spread_json(const runtime::Spread& spread, double unit) {
   return {{"mean", spread.mean / unit},
@@ -68,4 +68,4 @@ nlohmann::json as_json(const runtime::DrillSummary& s) {
           {"windows", as_json(s.draws)}};
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

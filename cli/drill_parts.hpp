@@ -7,7 +7,7 @@
 #include "cli/command.hpp"
 #include "runtime/drillstring/drill_run.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 /// The model of the flag or else of the case; nothing where the source of the case needs none. Warns of a model of
 /// another rock. The case then names the file that was read.
@@ -18,11 +18,11 @@ std::optional<surrogate::Model> model_of(const CommonOptions& common, const std:
 std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
                               const runtime::DrillSummary& summary);
 
-/// As docs/formats.md lists it under "drill run".
+/// As docs/reference/formats.md lists it under "drill run".
 nlohmann::json as_json(const runtime::DrillSummary& summary);
 
 /// `drill compare` and `drill map`.
 void add_drill_compare(CLI::App& drill);
 void add_drill_map(CLI::App& drill);
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -8,7 +8,7 @@
 #include "cli/command.hpp"
 #include "dem2d/specimen/specimen.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -90,4 +90,4 @@ void add_export_config(CLI::App& export_command) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -6,10 +6,10 @@
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "runtime/bit/asked_range.hpp"
-#include "runtime/export/fmu/fmu_file.hpp"
+#include "runtime/fmu/fmu_file.hpp"
 #include "surrogate/net/model_file.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -57,4 +57,4 @@ void add_export_fmu(CLI::App& export_command) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

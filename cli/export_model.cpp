@@ -10,7 +10,7 @@
 #include "surrogate/export/onnx_file.hpp"
 #include "surrogate/net/model_file.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -80,4 +80,4 @@ void add_export_model(CLI::App& export_command) {
   onnx->callback([onnx_options] { export_model(*onnx_options, surrogate::onnx_file); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -1,31 +1,25 @@
 #pragma once
-/// Figures for paper as files, for the subcommands that offer `--figures DIR --format png|pdf`: script and table of
-/// each always, the picture where gnuplot is installed.
+/// `--figures DIR --format png|pdf`: figures for paper as files (report/figure_files.hpp).
 
-#include <filesystem>
-#include <string>
 #include <vector>
 
 #include "cli/command.hpp"
-#include "report/gnuplot.hpp"
+#include "report/figure_files.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 struct FigureOptions {
   std::string folder;  ///< empty: no figures are wanted
   std::string format;  ///< "png" or "pdf"
+  report::FigureFolder where() const { return {.folder = folder, .format = format}; }
 };
 
 /// `--figures` and `--format`.
 void add_figure_options(CLI::App& command, FigureOptions& options);
 
-/// Every file that `write_figures` will write, for `require_outputs`.
-std::vector<std::filesystem::path> figure_paths(const FigureOptions& options,
-                                                const std::vector<report::Figure>& figures);
-
-/// A picture is drawn aside and gets its name when it is whole. Throws `SimulationError` when gnuplot fails; warns
-/// where it is not installed.
+/// Writes them and says where; warns where gnuplot is not installed, and of figures in the folder that are not of this
+/// call.
 void write_figures(const CommonOptions& common, const FigureOptions& options,
                    const std::vector<report::Figure>& figures);
 
-}  // namespace cli
+}  // namespace bitrock::cli

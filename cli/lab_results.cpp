@@ -5,37 +5,13 @@
 
 #include "base/statistics.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
-
-// Halving the rate may change the mean strength by this share before the rate counts as too fast.
-constexpr double allowed_change = 0.03;
 
 /// A number, or null where the test does not give it.
 nlohmann::json number(double value) {
   return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
-
-/// The quantities whose mean and scatter are told.
-struct Quantity {
-  const char* key;
-  double (*of)(const dem2d::LabRun&);
-};
-constexpr Quantity quantities[] = {
-    {"peak_stress_Pa", [](const dem2d::LabRun& run) { return run.peak_stress; }},
-    {"youngs_modulus_Pa", [](const dem2d::LabRun& run) { return run.youngs_modulus; }},
-    {"poissons_ratio", [](const dem2d::LabRun& run) { return run.poissons_ratio; }},
-    {"crack_initiation_stress_Pa", [](const dem2d::LabRun& run) { return run.crack_initiation_stress; }},
-    {"strain_at_peak", [](const dem2d::LabRun& run) { return run.strain_at_peak; }},
-    {"cracks_tensile", [](const dem2d::LabRun& run) { return static_cast<double>(run.cracks_tensile); }},
-    {"cracks_shear", [](const dem2d::LabRun& run) { return static_cast<double>(run.cracks_shear); }},
-};
-
-base::Summary summary_of(const Quantity& quantity, const std::vector<dem2d::LabRun>& runs) {
-  std::vector<double> values;
-  for (const dem2d::LabRun& run : runs) values.push_back(quantity.of(run));
-  return base::summarise(values);
 }
 
 nlohmann::json as_json(const dem2d::LabRun& run) {
@@ -61,29 +37,27 @@ nlohmann::json as_json(const dem2d::LabRun& run) {
           {"wall_s", run.wall_time}};
 }
 
-nlohmann::json rate_json(const LabResults& results) {
-  const double full = summary_of(quantities[0], results.runs).mean;
-  const double half = summary_of(quantities[0], results.half_rate).mean;
+nlohmann::json rate_json(const studies::LabResults& results) {
   nlohmann::json peaks = nlohmann::json::array();
   for (const dem2d::LabRun& run : results.half_rate) peaks.push_back(run.peak_stress);
-  const double change = half / full - 1.0;
+  const studies::RateCheck check = studies::rate_check_of(results);
   return {{"peak_stress_at_half_rate_Pa", peaks},
-          {"mean_at_half_rate_Pa", half},
-          {"change_fraction", change},
-          {"allowed_fraction", allowed_change},
-          {"slow_enough", std::fabs(change) < allowed_change}};
+          {"mean_at_half_rate_Pa", check.mean_at_half_rate},
+          {"change_fraction", check.change},
+          {"allowed_fraction", studies::allowed_rate_change},
+          {"slow_enough", check.slow_enough}};
 }
 
 }  // namespace
 
-nlohmann::json runs_json(const LabResults& results) {
+nlohmann::json runs_json(const studies::LabResults& results) {
   nlohmann::json json{
       {"runs", nlohmann::json::array()}, {"failures", nlohmann::json::array()}, {"not_tested", results.not_tested}};
   for (const dem2d::LabRun& run : results.runs) json["runs"].push_back(as_json(run));
   for (const auto& [seed, reason] : results.failures) json["failures"].push_back({{"seed", seed}, {"reason", reason}});
   if (results.runs.empty()) return json;
-  for (const Quantity& quantity : quantities) {
-    const base::Summary summary = summary_of(quantity, results.runs);
+  for (const studies::LabQuantity& quantity : studies::lab_quantities()) {
+    const base::Summary summary = studies::summary_of(quantity, results.runs);
     json["mean"][quantity.key] = number(summary.mean);
     // the scatter of one specimen is not known
     json["sd"][quantity.key] = summary.count > 1 ? number(summary.standard_deviation) : nlohmann::json(nullptr);
@@ -106,7 +80,7 @@ void print_row(const CommonOptions& options, const std::string& name, double str
 
 }  // namespace
 
-void print_table(const CommonOptions& options, const LabResults& results) {
+void print_table(const CommonOptions& options, const studies::LabResults& results) {
   if (results.runs.empty()) return;
   say(options, "{:>6} {:>13} {:>8} {:>7} {:>15} {:>11}  {}\n", "seed", "strength MPa", "E GPa", "nu", "cracks from MPa",
       "at strain %", "cracks tension + shear");
@@ -116,9 +90,9 @@ void print_table(const CommonOptions& options, const LabResults& results) {
               fmt::format("{} + {}", run.cracks_tensile, run.cracks_shear));
   }
   if (results.runs.size() > 1) {
-    base::Summary s[std::size(quantities)];
-    std::transform(std::begin(quantities), std::end(quantities), s,
-                   [&](const Quantity& quantity) { return summary_of(quantity, results.runs); });
+    std::vector<base::Summary> s;
+    for (const studies::LabQuantity& quantity : studies::lab_quantities())
+      s.push_back(studies::summary_of(quantity, results.runs));
     print_row(options, "mean", s[0].mean, s[1].mean, s[2].mean, s[3].mean, s[4].mean,
               fmt::format("{:.0f} + {:.0f}", s[5].mean, s[6].mean));
     print_row(options, "sd", s[0].standard_deviation, s[1].standard_deviation, s[2].standard_deviation,
@@ -126,12 +100,11 @@ void print_table(const CommonOptions& options, const LabResults& results) {
   }
 }
 
-void print_rate_check(const CommonOptions& options, const nlohmann::json& json) {
-  const nlohmann::json& check = json["rate_check"];
-  const double half = check["mean_at_half_rate_Pa"], change = check["change_fraction"];
+void print_rate_check(const CommonOptions& options, double strain_rate, const studies::LabResults& results) {
+  const studies::RateCheck check = studies::rate_check_of(results);
   say(options, "mean strength at {:.3g} /s {:.4g} MPa, at half of it {:.4g} MPa: {:+.1f} % ({} {:.0f} %)\n",
-      json["strain_rate_per_s"].get<double>(), half / (1.0 + change) * 1e-6, half * 1e-6, change * 1e2,
-      check["slow_enough"].get<bool>() ? "slow enough: less than" : "too fast: not less than", allowed_change * 1e2);
+      strain_rate, check.mean_strength * 1e-6, check.mean_at_half_rate * 1e-6, check.change * 1e2,
+      check.slow_enough ? "slow enough: less than" : "too fast: not less than", studies::allowed_rate_change * 1e2);
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

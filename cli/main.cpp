@@ -12,10 +12,12 @@
 
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "base/watch.hpp"
 #include "cli/command.hpp"
 #include "cli/shipped.hpp"
 #include "cli/strict_numbers.hpp"
-#include "cli/watch.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -40,13 +42,13 @@ void fill_closed_streams() {
   }
 }
 
-int report(const std::string& prefix, const std::exception& error, int status) {
+int end_with(const std::string& prefix, const std::exception& error, int status) {
   cli::tell_user(prefix + error.what());
   return status;
 }
 
 /// The library's words for --help and for what is wrong with the flags.
-int report(const CLI::App& app, const CLI::ParseError& error) {
+int end_with(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream help, complaint;
   const bool good = app.exit(error, help, complaint) == 0;
   if (!help.str().empty()) cli::print(help.str());
@@ -58,7 +60,7 @@ int run(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return report(app, error);
+    return end_with(app, error);
   }
   return 0;
 }
@@ -71,7 +73,7 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   let_waiting_threads_sleep(argv);
   std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is then an error of its write, like a full disk
   std::signal(SIGPIPE, SIG_IGN);  // and so is a pipe whose reader is gone: nothing half-written stays
-  cli::Watch watch;
+  base::Watch watch;
 
   CLI::App app{
       "bitrock: synthetic rock, cut by one PDC cutter, learnt by small networks, rebuilt as the force on a whole bit"};
@@ -102,21 +104,21 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
     return status;
   } catch (const base::InputError& error) {
     watch.end();
-    return report("", error, wrong_input);
+    return end_with("", error, wrong_input);
   } catch (const base::Interrupted& error) {
     watch.end();
-    return report("", error, cli::interrupted);
+    return end_with("", error, base::interrupted);
   } catch (const base::ReaderGone&) {
     return reader_gone;
   } catch (const base::SimulationError& error) {
     watch.end();
-    return report("the computation failed: ", error, failed);
+    return end_with("the computation failed: ", error, failed);
   } catch (const std::bad_alloc&) {
     watch.end();
     cli::tell_user("the computation failed: not enough memory (fewer discs or samples need less)");
     return failed;
   } catch (const std::exception& error) {
     watch.end();
-    return report("the computation failed: ", error, failed);
+    return end_with("the computation failed: ", error, failed);
   }
 }

@@ -6,12 +6,12 @@
 #include "base/files.hpp"
 #include "cli/command.hpp"
 #include "cli/figure_files.hpp"
-#include "cli/parity_figures.hpp"
-#include "cli/report_parts.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/data_warnings.hpp"
+#include "views/networks/chapter.hpp"
+#include "views/networks/figures.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -54,7 +54,7 @@ nlohmann::json as_json(const surrogate::OutputParity& output) {
   json["train"] = as_json(output.train);
   json["validation"] = as_json(output.validation);
   json["held_out"] = as_json(output.held_out);
-  json["verdict"] = verdict_text(output.judged);
+  json["verdict"] = views::verdict_text(output.judged);
   json["times_noise"] = as_json(output.judged.ratio);
   json["times_noise_low"] = as_json(output.judged.ratio_low);
   json["times_noise_high"] = as_json(output.judged.ratio_high);
@@ -78,12 +78,12 @@ void say_table(const CommonOptions& options, const surrogate::Parity& parity) {
   for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
     const surrogate::OutputParity& output = parity.outputs[k];
     const surrogate::ParitySummary& seen = parity.has_held_out ? output.held_out : output.all;
-    const auto [name, unit, factor] = shown(output, k);
+    const auto [name, unit, factor] = views::shown(output, k);
     const auto& noise = seen.noise_alone;
-    say(options, line, name, unit, number(seen.noise, factor), number(seen.rmse, factor), number(seen.rmse_over_noise),
-        percent(seen.mean_deviation), percent(noise ? std::optional(noise->mean) : std::nullopt),
-        percent(seen.max_deviation), percent(noise ? std::optional(noise->max) : std::nullopt),
-        verdict_text(output.judged));
+    say(options, line, name, unit, views::number(seen.noise, factor), views::number(seen.rmse, factor),
+        views::number(seen.rmse_over_noise), views::percent(seen.mean_deviation),
+        views::percent(noise ? std::optional(noise->mean) : std::nullopt), views::percent(seen.max_deviation),
+        views::percent(noise ? std::optional(noise->max) : std::nullopt), views::verdict_text(output.judged));
   }
 }
 
@@ -107,16 +107,16 @@ void warn_of_data(const Options& options, const surrogate::TrainingData& data, c
 void write_page(const Options& options, const surrogate::Model& model, const surrogate::Parity& parity) {
   report::Page page("Network against DEM", model.rock);
   page.section("Parity");
-  add_parity(page, model, parity);
+  views::add_parity(page, model, parity);
   page.section("Learning");
-  add_learning_curves(page, model);
+  views::add_learning_curves(page, model);
   base::write_whole(options.report_file, page.html());
   say(options.common, "-> {}\n", options.report_file);
 }
 
 std::vector<report::Figure> all_figures(const surrogate::Parity& parity) {
-  std::vector<report::Figure> figures = parity_figures(parity);
-  for (report::Figure& figure : residual_figures(parity)) figures.push_back(std::move(figure));
+  std::vector<report::Figure> figures = views::parity_figures(parity);
+  for (report::Figure& figure : views::residual_figures(parity)) figures.push_back(std::move(figure));
   return figures;
 }
 
@@ -129,7 +129,7 @@ void run(const Options& options) {
   std::vector<std::filesystem::path> outputs;
   if (!options.report_file.empty()) outputs.emplace_back(options.report_file);
   if (!options.figures.folder.empty()) figures = all_figures(parity);
-  for (const auto& path : figure_paths(options.figures, figures)) outputs.push_back(path);
+  for (const auto& path : report::figure_paths(options.figures.where(), figures)) outputs.push_back(path);
   require_outputs(options.common, {options.model_file, options.data_file}, outputs);
 
   say_table(options.common, parity);
@@ -160,4 +160,4 @@ void add_parity(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

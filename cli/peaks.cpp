@@ -1,165 +1,21 @@
 // bitrock peaks: the statistics of any force history, in all and by part of the window, and its time without force.
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "base/csv.hpp"
-#include "base/errors.hpp"
-#include "base/hdf5_file.hpp"
 #include "cli/command.hpp"
-#include "peaks/parts.hpp"
-#include "peaks/statistics.hpp"
-#include "peaks/zero_force.hpp"
+#include "studies/peaks/force_history.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
+
+using studies::ForceFindings, studies::ForceHistory;
 
 struct Options {
   CommonOptions common;
   std::string file, column, time;
   int parts = 4;
 };
-
-struct History {
-  std::string column;
-  std::string time_column;  ///< empty when there is none
-  std::vector<double> time;
-  std::vector<double> force;
-  std::vector<std::string> other_columns;  ///< of a CSV: beside force and time
-};
-
-History from_hdf5(const Options& options) {
-  if (!options.time.empty()) {
-    throw base::InputError(fmt::format("--time {} (a run file has its own times; --time is for CSV)", options.time));
-  }
-  const base::Hdf5Reader file(options.file);
-  History history;
-  history.column = options.column.empty() ? "x_N_per_m" : options.column;
-  const std::string path = history.column.front() == '/' ? history.column : "/force/" + history.column;
-  if (!file.has(path)) {
-    throw base::InputError(fmt::format("{}: no {} (a run has x_N_per_m and y_N_per_m)", options.file, history.column));
-  }
-  history.force = file.doubles(path);
-  if (file.has("/force/time_s")) {
-    history.time_column = "time_s";
-    history.time = file.doubles("/force/time_s");
-  }
-  return history;
-}
-
-/// Times are in seconds. A column whose name ends in another unit of time is not taken for them.
-void require_seconds(const std::string& column) {
-  const std::string name =
-      column.ends_with(')') || column.ends_with(']') ? column.substr(0, column.size() - 1) : column;
-  for (const char* unit : {"ms", "us", "\xc2\xb5s", "\xce\xbcs", "ns", "min", "h", "msec", "minutes", "hours"}) {
-    for (const char* before : {"_", " ", "(", "["}) {
-      if (!name.ends_with(std::string(before) + unit)) continue;
-      throw base::InputError(
-          fmt::format("--time '{}' (a time must be in seconds; this one seems to be in {})", column, unit));
-    }
-  }
-}
-
-/// The force that is asked for, or the only one that there is.
-std::string force_column(const base::CsvTable& table, const Options& options, const std::string& time) {
-  if (!options.column.empty()) return options.column;
-  std::vector<std::string> forces;
-  for (const std::string& name : table.names) {
-    if (name != time) forces.push_back(name);
-  }
-  if (forces.size() == 1) return forces.front();
-  throw base::InputError(fmt::format("{}: which column? (choose with --column: {})", options.file,
-                                     forces.empty() ? "there is none beside the time" : base::listed(forces)));
-}
-
-History from_csv(const Options& options) {
-  const base::CsvTable table = base::read_csv(options.file, true);  // a NaN is a sample that is missing
-  const auto require = [&](const char* what, const std::string& name) {
-    if (table.has(name)) return;
-    throw base::InputError(
-        fmt::format("{}: no {} {} (there are: {})", options.file, what, name, base::listed(table.names)));
-  };
-  History history;
-  if (!options.time.empty()) {
-    require("time column", options.time);
-    require_seconds(options.time);
-    history.time_column = options.time;
-  } else if (table.has("time_s")) {
-    history.time_column = "time_s";
-  }
-  history.column = force_column(table, options, history.time_column);
-  require("column", history.column);
-  if (history.column == history.time_column) {
-    throw base::InputError(fmt::format("--column and --time are both {} (must be two columns)", history.column));
-  }
-  history.force = table.column(history.column);
-  if (!history.time_column.empty()) history.time = table.column(history.time_column);
-  for (const std::string& name : table.names) {
-    if (name != history.column && name != history.time_column) history.other_columns.push_back(name);
-  }
-  return history;
-}
-
-/// A time axis by which parts can be told: whole, finite, and never falling.
-void require_good_time(const History& history, const std::string& file) {
-  const std::vector<double>& time = history.time;
-  if (time.size() != history.force.size()) {
-    throw base::InputError(
-        fmt::format("{}: {} values in {} but {} times", file, history.force.size(), history.column, time.size()));
-  }
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    if (!std::isfinite(time[i])) {
-      throw base::InputError(
-          fmt::format("{}: {} of sample {} is {} (must be a finite number)", file, history.time_column, i, time[i]));
-    }
-    if (i > 0 && time[i] < time[i - 1]) {
-      throw base::InputError(fmt::format("{}: {} falls from {} to {} at sample {} (must rise)", file,
-                                         history.time_column, time[i - 1], time[i], i));
-    }
-  }
-  if (time.size() > 1 && !(time.back() > time.front())) {
-    throw base::InputError(
-        fmt::format("{}: {} is {} in all samples (must rise)", file, history.time_column, time.front()));
-  }
-}
-
-/// No force and no time is that large; sums of a billion of them are still finite.
-constexpr double largest_value = 1e100;
-
-void refuse_huge(const std::vector<double>& values, const std::string& name, const std::string& file) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!std::isfinite(values[i]) || std::abs(values[i]) <= largest_value) continue;
-    throw base::InputError(
-        fmt::format("{}: {} of sample {} is {} (must be at most {:g})", file, name, i, values[i], largest_value));
-  }
-}
-
-void require_good(const History& history, const Options& options) {
-  const std::vector<double>& force = history.force;
-  refuse_huge(force, history.column, options.file);
-  refuse_huge(history.time, history.time_column, options.file);
-  if (std::all_of(force.begin(), force.end(), [](double value) { return std::isnan(value); })) {
-    throw base::InputError(fmt::format("{}: no number in {}", options.file, history.column));
-  }
-  if (!history.time.empty()) require_good_time(history, options.file);
-}
-
-/// Mean distance of samples [s]; NaN without times.
-double mean_spacing(const std::vector<double>& time) {
-  if (time.size() < 2) return std::numeric_limits<double>::quiet_NaN();
-  return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-}
-
-/// Whether shares of samples are shares of time: no sample is farther from its place than one spacing.
-bool evenly_spaced(const std::vector<double>& time) {
-  const double spacing = mean_spacing(time);
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    if (std::abs(time[i] - time.front() - spacing * static_cast<double>(i)) > spacing) return false;
-  }
-  return true;
-}
 
 /// The unit a column's name ends in, as far as forces have one; empty otherwise.
 std::string unit_of(const std::string& column) {
@@ -190,7 +46,7 @@ nlohmann::json list_of(const std::vector<peaks::Part>& parts, const std::vector<
   return list;
 }
 
-nlohmann::json list_of_peaks(const History& history) {
+nlohmann::json list_of_peaks(const ForceHistory& history) {
   nlohmann::json list = nlohmann::json::array();
   for (const std::size_t i : peaks::counted_peaks(history.force)) {
     list.push_back({{"index", i},
@@ -200,46 +56,10 @@ nlohmann::json list_of_peaks(const History& history) {
   return list;
 }
 
-/// 0 where no sample is finite.
-double mean_of_finite(const std::vector<double>& values) {
-  double mean = 0.0, count = 0.0;
-  for (const double value : values) {
-    if (std::isfinite(value)) mean += (value - mean) / ++count;
-  }
-  return mean;
-}
-
-/// Everything that `peaks` finds in a history.
-struct Findings {
-  peaks::PeakStatistics all;
-  peaks::ZeroForce zero;
-  std::vector<peaks::Part> parts;
-  std::size_t not_a_number = 0, infinite = 0;  ///< samples that are NaN, +infinity
-  double mean_period = 0.0;                    ///< without force [s]
-  bool even = true;                            ///< samples are evenly spaced, as far as is known
-  double mean = 0.0;                           ///< of the finite samples
-};
-
-Findings find(const History& history, int parts) {
-  const std::vector<double>& force = history.force;
-  Findings findings;
-  findings.all = peaks::peak_statistics(force);
-  findings.zero = peaks::zero_force(force, peaks::minimum_height(force));
-  findings.parts = peaks::statistics_by_part(force, history.time.size() > 1 ? peaks::part_borders(history.time, parts)
-                                                                            : peaks::part_borders(force.size(), parts));
-  findings.not_a_number = force.size() - findings.zero.samples;
-  findings.infinite =
-      static_cast<std::size_t>(std::count(force.begin(), force.end(), std::numeric_limits<double>::infinity()));
-  findings.mean_period = findings.zero.mean_period() * mean_spacing(history.time);
-  findings.even = evenly_spaced(history.time);
-  findings.mean = mean_of_finite(force);
-  return findings;
-}
-
 /// What stands for the times when no column gives them.
 constexpr const char* without_times = "samples are taken for evenly spaced, and lengths are in samples";
 
-void print(const Options& options, const History& history, const Findings& found) {
+void print(const Options& options, const ForceHistory& history, const ForceFindings& found) {
   const std::string unit = unit_of(history.column);
   const peaks::PeakStatistics& s = found.all;
   say(options.common, "{} of {}: {} samples, {} peaks; {}\nA_max {:.6g}{}, A_mean {:.6g}{}, NP1 {}, NP23 {}, NP4 {}\n",
@@ -261,7 +81,7 @@ void print(const Options& options, const History& history, const Findings& found
   }
 }
 
-void warn_about(const Options& options, const History& history, const Findings& found) {
+void warn_about(const Options& options, const ForceHistory& history, const ForceFindings& found) {
   if (found.mean < 0.0) {
     warn(options.common,
          fmt::format("the mean of {} is {:.4g}{}, below 0: the rock's resistance to the cutter and its push out of the "
@@ -284,11 +104,9 @@ void warn_about(const Options& options, const History& history, const Findings& 
 }
 
 void run(const Options& options) {
-  const bool hdf5 = options.file.ends_with(".h5") || options.file.ends_with(".hdf5");
-  const History history = hdf5 ? from_hdf5(options) : from_csv(options);
-  require_good(history, options);
+  const ForceHistory history = studies::read_force_history(options.file, options.column, options.time);
   require_outputs(options.common, {options.file}, {});
-  const Findings found = find(history, options.parts);
+  const ForceFindings found = studies::find_in(history, options.parts);
   print(options, history, found);
   warn_about(options, history, found);
   if (options.common.json_file.empty()) return;
@@ -329,4 +147,4 @@ void add_peaks(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

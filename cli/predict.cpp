@@ -9,7 +9,7 @@
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/net/trained_range.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -21,12 +21,12 @@ struct Options {
   bool strict = false;
 };
 
-nlohmann::json as_json(const surrogate::PeakStatisticsPrediction& p) {
+nlohmann::json as_json(const peaks::PeakRates& p) {
   return {{"amax", p.amax}, {"amean", p.amean}, {"np1", p.np1}, {"np23", p.np23}, {"np4", p.np4}};
 }
 
 /// Peaks of a cut of this length [m].
-nlohmann::json counts(const surrogate::PeakStatisticsPrediction& p, double cut_length) {
+nlohmann::json counts(const peaks::PeakRates& p, double cut_length) {
   return {{"np1", p.np1 * cut_length}, {"np23", p.np23 * cut_length}, {"np4", p.np4 * cut_length}};
 }
 
@@ -95,4 +95,4 @@ void add_predict(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

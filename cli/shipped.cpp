@@ -5,7 +5,7 @@
 
 #include "base/errors.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -61,4 +61,4 @@ void let_shipped_files_be_named(CLI::App& app) {
       "print the folder of the shipped files (campaigns/...), and stop");
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

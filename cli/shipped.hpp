@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace cli {
+namespace bitrock::cli {
 
 /// The folder that holds `campaigns/`; empty when there is none beside this program.
 std::optional<std::filesystem::path> data_folder();
@@ -16,4 +16,4 @@ std::optional<std::filesystem::path> data_folder();
 /// first. `--data-dir` prints the folder, and ends the program.
 void let_shipped_files_be_named(CLI::App& app);
 
-}  // namespace cli
+}  // namespace bitrock::cli

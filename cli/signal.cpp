@@ -11,7 +11,7 @@
 #include "runtime/bit/constant_speed.hpp"
 #include "surrogate/net/model_file.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -95,4 +95,4 @@ void add_signal(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

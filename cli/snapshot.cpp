@@ -1,13 +1,13 @@
 // bitrock snapshot: the fracture picture of a cut, with the force history under it.
-#include "dem2d/output/snapshot.hpp"
+#include "views/cut/snapshot.hpp"
 
 #include <memory>
 
 #include "base/files.hpp"
 #include "cli/command.hpp"
-#include "dem2d/output/frame_file.hpp"
+#include "dem2d/files/frame_file.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -23,7 +23,7 @@ void run(const Options& options) {
   dem2d::RunFile file = dem2d::read_run(stored);
   if (options.frame >= 0) file.run.frames = {dem2d::read_frame(stored, options.frame)};
   require_outputs(options.common, {options.run_file}, {options.output});
-  base::write_whole(options.output, dem2d::draw_snapshot(file, options.width_px));
+  base::write_whole(options.output, views::draw_snapshot(file, options.width_px));
   say(options.common, "-> {}\n", options.output);
   write_json(options.common, {{"files", {options.output}}});
 }
@@ -46,4 +46,4 @@ void add_snapshot(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -5,13 +5,13 @@
 
 #include "base/errors.hpp"
 #include "cli/command.hpp"
+#include "dem2d/files/discs_file.hpp"
+#include "dem2d/files/specimen_file.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
-#include "dem2d/specimen/discs_file.hpp"
-#include "dem2d/specimen/specimen_file.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -149,4 +149,4 @@ void add_specimen(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -6,7 +6,7 @@
 
 #include "base/number.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
@@ -46,4 +46,4 @@ void read_numbers_strictly(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands(all)) read_numbers_strictly(*command);
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -4,10 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
-namespace cli {
+namespace bitrock::cli {
 
 /// For every flag of the program and its subcommands whose value is a number: only decimal digits are let through, and
 /// they reach the library in a form that it reads in the same way. Call when all flags are declared.
 void read_numbers_strictly(CLI::App& app);
 
-}  // namespace cli
+}  // namespace bitrock::cli

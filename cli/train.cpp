@@ -9,25 +9,19 @@
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/data_warnings.hpp"
 
-namespace cli {
+namespace bitrock::cli {
 
 namespace {
 
 struct Options {
   CommonOptions common;
   std::string data_file, output, init_from;
-  surrogate::TrainOptions train;
+  surrogate::TrainOptions train = surrogate::recommended();
   std::string output_activation;
   std::optional<int> patience;
   bool no_shuffle = false, single_cuts = false, search = false;
   int folds = 5;
 };
-
-// Unless the user says otherwise: the article's 50 epochs end before the networks have learnt what the data hold
-// (docs/validation.md), and of the small networks many a start ends in a poor minimum. Found by cross-validation
-// (docs/decisions/0013).
-constexpr int usual_epochs = 600, usual_smoothing = 50, usual_starts = 3, usual_patience = 200;
-constexpr double usual_learning_rate = 3e-3;
 
 /// "x_amax" of "x_amax_N_per_m": fits above a column.
 std::string short_name(std::string_view name) {
@@ -91,7 +85,8 @@ void run(Options options) {
   for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
   for (const std::string& doubt : surrogate::learning_warnings(data)) warn(options.common, doubt);
   const std::size_t cases = surrogate::case_numbers(data).size();
-  options.train.patience = options.patience.value_or(options.train.validation > 0.0 ? usual_patience : 0);
+  options.train.patience =
+      options.patience.value_or(options.train.validation > 0.0 ? surrogate::recommended_patience : 0);
   surrogate::check_options(options.train);
   if (options.common.check) {
     say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", options.data_file, data.rows.size(),
@@ -138,10 +133,6 @@ void run(Options options) {
 void add_train(CLI::App& app) {
   auto options = std::make_shared<Options>();
   surrogate::TrainOptions& train = options->train;
-  train.epochs = usual_epochs;
-  train.starts = usual_starts;
-  train.smoothing = usual_smoothing;
-  train.learning_rate = usual_learning_rate;
   options->common.threads = cores();  // trainings run side by side
   CLI::App* command = app.add_subcommand("train", "fit the networks to features.csv");
   command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
@@ -179,9 +170,9 @@ void add_train(CLI::App& app) {
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
   command
-      ->add_option(
-          "--patience", options->patience,
-          fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})", usual_patience))
+      ->add_option("--patience", options->patience,
+                   fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})",
+                               surrogate::recommended_patience))
       ->check(CLI::Range(0, 10000000));
   command->add_option("--starts", train.starts, "random starts, of which the best is kept")
       ->check(CLI::Range(1, 1000))
@@ -200,4 +191,4 @@ void add_train(CLI::App& app) {
   command->callback([options] { run(*options); });
 }
 
-}  // namespace cli
+}  // namespace bitrock::cli

@@ -20,7 +20,7 @@ function(bitrock_install_tree root destination)
   endforeach()
 endfunction()
 
-foreach(module base dem2d peaks surrogate runtime campaigns report)
+foreach(module base dem2d peaks surrogate runtime report studies views)
   bitrock_install_tree(${PROJECT_SOURCE_DIR}/${module} include/bitrock/${module} *.hpp *.h)
 endforeach()
 

@@ -2,7 +2,7 @@
 
 #include "peaks/scan.hpp"
 
-namespace peaks {
+namespace bitrock::peaks {
 
 std::vector<std::size_t> find_peaks(std::span<const double> signal, double minimum_height) {
   std::vector<std::size_t> found;
@@ -11,4 +11,4 @@ std::vector<std::size_t> find_peaks(std::span<const double> signal, double minim
   return found;
 }
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

@@ -21,10 +21,10 @@
 #include <span>
 #include <vector>
 
-namespace peaks {
+namespace bitrock::peaks {
 
 /// Indices (0-based) in order of occurrence.
 std::vector<std::size_t> find_peaks(std::span<const double> signal,
                                     double minimum_height = -std::numeric_limits<double>::infinity());
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace peaks {
+namespace bitrock::peaks {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::vector<Part> statistics_by_part(std::span<const double> signal, std::span<c
   return parts;
 }
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

@@ -17,7 +17,7 @@
 #include "peaks/statistics.hpp"
 #include "peaks/zero_force.hpp"
 
-namespace peaks {
+namespace bitrock::peaks {
 
 struct Part {
   std::size_t begin = 0, end = 0;  ///< samples [begin, end)
@@ -33,4 +33,4 @@ std::vector<std::size_t> part_borders(std::span<const double> time, int parts);
 
 std::vector<Part> statistics_by_part(std::span<const double> signal, std::span<const std::size_t> borders);
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

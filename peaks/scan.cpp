@@ -14,7 +14,7 @@
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
-namespace peaks::HWY_NAMESPACE {
+namespace bitrock::peaks::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -71,11 +71,11 @@ void AtMost(const double* samples, std::size_t words, double height, std::uint64
   for (std::size_t w = 0; w < words; ++w) bits[w] = Word(samples + 64 * w, test);
 }
 
-}  // namespace peaks::HWY_NAMESPACE
+}  // namespace bitrock::peaks::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace peaks {
+namespace bitrock::peaks {
 
 HWY_EXPORT(HighestFinite);
 HWY_EXPORT(Candidates);
@@ -125,5 +125,5 @@ std::size_t find_at_most(std::span<const double> signal, std::size_t begin, doub
   });
 }
 
-}  // namespace peaks
+}  // namespace bitrock::peaks
 #endif

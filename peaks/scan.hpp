@@ -11,7 +11,7 @@
 #include <limits>
 #include <span>
 
-namespace peaks {
+namespace bitrock::peaks {
 
 inline constexpr std::size_t word_samples = 64;  ///< samples in a word [1]
 /// The words of one call: 2048 samples, so that they are still in the first cache when the peaks among them are read.
@@ -55,4 +55,4 @@ void for_each_peak(std::span<const double> signal, double minimum_height, const 
   }
 }
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

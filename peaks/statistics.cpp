@@ -5,7 +5,7 @@
 
 #include "peaks/scan.hpp"
 
-namespace peaks {
+namespace bitrock::peaks {
 
 namespace {
 
@@ -59,4 +59,4 @@ void count_in_band(PeakStatistics& statistics, double height, double amax) {
   statistics.np23 += upper || lower ? 0 : 1;
 }
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-namespace peaks {
+namespace bitrock::peaks {
 
 inline constexpr double height_threshold = 0.01;  ///< of the highest sample [1]
 inline constexpr double upper_band_edge = 0.75;   ///< of A_max [1]
@@ -44,4 +44,4 @@ PeakStatistics peak_statistics(std::span<const double> signal);
 /// Adds a peak of that height to the count of its band.
 void count_in_band(PeakStatistics& statistics, double height, double amax);
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

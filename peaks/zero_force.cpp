@@ -5,7 +5,7 @@
 
 #include "peaks/scan.hpp"
 
-namespace peaks {
+namespace bitrock::peaks {
 
 namespace {
 
@@ -37,4 +37,4 @@ ZeroForce zero_force(std::span<const double> signal, double least_height) {
   return zero;
 }
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

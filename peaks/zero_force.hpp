@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <span>
 
-namespace peaks {
+namespace bitrock::peaks {
 
 struct ZeroForce {
   std::size_t samples = 0;       ///< that are numbers [1]
@@ -35,4 +35,4 @@ struct ZeroForce {
 /// `least_height`: of the whole window, `minimum_height(window)`, also when the signal is a part of it.
 ZeroForce zero_force(std::span<const double> signal, double least_height);
 
-}  // namespace peaks
+}  // namespace bitrock::peaks

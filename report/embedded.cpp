@@ -17,7 +17,7 @@ static std::string_view plotly_licence_bytes() {
 }
 #endif
 
-namespace report {
+namespace bitrock::report {
 
 std::string_view page_style() {
   return page_style_bytes();
@@ -35,4 +35,4 @@ std::string_view plotly_licence() {
   return plotly_licence_bytes();
 }
 
-}  // namespace report
+}  // namespace bitrock::report

@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-namespace report {
+namespace bitrock::report {
 
 std::string_view page_style();   ///< report/page.css
 std::string_view page_script();  ///< report/page.js
@@ -15,4 +15,4 @@ bool plotly_available();
 std::string_view plotly_script();
 std::string_view plotly_licence();
 
-}  // namespace report
+}  // namespace bitrock::report

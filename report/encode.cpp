@@ -2,7 +2,7 @@
 
 #include "base/text.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 std::string html_text(std::string_view text) {
   const std::string shown = base::printable(text, base::all_of_it);
@@ -67,4 +67,4 @@ std::string slug(std::string_view text) {
   return name.empty() ? "figure" : name;
 }
 
-}  // namespace report
+}  // namespace bitrock::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace report {
+namespace bitrock::report {
 
 /// Text as `base::printable` shows it, with `&`, `<`, `>`, `"` and `'` as character references: safe as HTML text,
 /// inside a quoted attribute, and in the plot library, which reads a few tags and the same references in its labels
@@ -19,4 +19,4 @@ std::string script_json(std::string_view json);
 /// Lower-case ASCII letters and digits, everything else one '-': a name for a file or an anchor. Never empty.
 std::string slug(std::string_view text);
 
-}  // namespace report
+}  // namespace bitrock::report

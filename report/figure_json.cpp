@@ -11,7 +11,7 @@
 #include "base/thin.hpp"
 #include "report/encode.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -276,4 +276,4 @@ std::string thinning_note(const Plot& plot) {
                      grouped(given));
 }
 
-}  // namespace report
+}  // namespace bitrock::report

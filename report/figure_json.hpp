@@ -7,7 +7,7 @@
 
 #include "report/plot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 /// {"data": [one trace a series, in order], "layout": {...}, "name": file name of a saved picture}. Numbers carry 7
 /// significant digits; NaN and infinities become null, which is drawn as a gap. Lines longer than
@@ -17,4 +17,4 @@ std::string figure_json(const Plot& plot);
 /// "Drawn with 20 000 of 1 000 000 points ..." when a line is thinned, otherwise empty.
 std::string thinning_note(const Plot& plot);
 
-}  // namespace report
+}  // namespace bitrock::report

@@ -13,7 +13,7 @@
 #include "report/gnuplot_text.hpp"
 #include "report/legend.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -193,4 +193,4 @@ GnuplotFiles gnuplot_files(const Figure& figure, PictureFormat format) {
   return files;
 }
 
-}  // namespace report
+}  // namespace bitrock::report

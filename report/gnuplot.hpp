@@ -8,7 +8,7 @@
 
 #include "report/plot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 /// Panels in reading order, `columns` of them side by side. When all have the same legend it stands above them once.
 struct Figure {
@@ -33,4 +33,4 @@ struct GnuplotFiles {
 /// with less than one column, or with a name of other characters.
 GnuplotFiles gnuplot_files(const Figure& figure, PictureFormat format);
 
-}  // namespace report
+}  // namespace bitrock::report

@@ -8,7 +8,7 @@
 
 #include "report/gnuplot_text.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::string air(const Plot& plot) {
   return fmt::format("set offsets graph {0}, graph {0}, graph {1}, graph {1}\n", x, y);
 }
 
-}  // namespace report
+}  // namespace bitrock::report

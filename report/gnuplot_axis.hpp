@@ -6,7 +6,7 @@
 
 #include "report/plot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 /// `name` is x or y. Without a range the data decide.
 std::string axis(char name, const std::string& label, bool logarithmic, const std::optional<AxisRange>& range);
@@ -17,4 +17,4 @@ std::optional<AxisRange> range_of(const Plot& plot, const std::optional<AxisRang
 /// A little air where the data decide how far an axis goes.
 std::string air(const Plot& plot);
 
-}  // namespace report
+}  // namespace bitrock::report

@@ -5,7 +5,7 @@
 #include "report/gnuplot_table.hpp"
 #include "report/gnuplot_text.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::string plot_command(const Plot& plot, const std::string& panel, bool with_l
   return plot_of(parts);
 }
 
-}  // namespace report
+}  // namespace bitrock::report

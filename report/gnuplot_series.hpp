@@ -6,7 +6,7 @@
 
 #include "report/plot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 /// What the legend says of a plot, without its data.
 std::vector<std::string> legend_entries(const Plot& plot);
@@ -17,4 +17,4 @@ std::string plot_of(const std::vector<std::string>& parts);
 /// The plot command of a panel. Error bars lie on bands and lines but under all points, paler than these.
 std::string plot_command(const Plot& plot, const std::string& panel, bool with_legend);
 
-}  // namespace report
+}  // namespace bitrock::report

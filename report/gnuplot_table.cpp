@@ -7,7 +7,7 @@
 
 #include "base/text.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::string series_rows(const std::string& panel, const std::string& key, const 
   return rows;
 }
 
-}  // namespace report
+}  // namespace bitrock::report

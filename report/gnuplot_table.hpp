@@ -6,7 +6,7 @@
 
 #include "report/gnuplot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 /// One a panel: its title when no other has the same, otherwise a number.
 std::vector<std::string> panel_keys(const Figure& figure);
@@ -17,4 +17,4 @@ std::vector<std::string> series_keys(const Plot& plot);
 /// panel, series, x, y, error_x, error_y, upper, label; an empty line where a point is not a number.
 std::string series_rows(const std::string& panel, const std::string& key, const Series& series);
 
-}  // namespace report
+}  // namespace bitrock::report

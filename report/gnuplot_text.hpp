@@ -8,7 +8,7 @@
 
 #include "base/text.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 /// A text on one line, in which nothing has a meaning: not the signs that start a command (`), a variable (@), a format
 /// (%) or another type face (^, _, {). Between single quotes that is so by itself; but gnuplot reads a single quote
@@ -33,4 +33,4 @@ inline std::string quoted_file(const std::string& name) {
   return quoted(name.starts_with('/') ? name : "./" + name);
 }
 
-}  // namespace report
+}  // namespace bitrock::report

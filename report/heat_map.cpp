@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "report/gnuplot_text.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::string heat_map_script(const HeatMap& map, const std::string& picture, Pict
   return text + "\nunset output\n";
 }
 
-}  // namespace report
+}  // namespace bitrock::report

@@ -8,7 +8,7 @@
 
 #include "report/gnuplot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 /// A second scale at the right edge, linear in y.
 struct RightAxis {
@@ -31,4 +31,4 @@ struct HeatMap {
 /// cells, and an empty range.
 std::string heat_map_script(const HeatMap& map, const std::string& picture, PictureFormat format);
 
-}  // namespace report
+}  // namespace bitrock::report

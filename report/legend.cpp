@@ -4,7 +4,7 @@
 
 #include "report/encode.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::string legend_html(const Plot& plot) {
   return named < 2 ? std::string() : "<div class=\"legend\">" + entries + "</div>\n";
 }
 
-}  // namespace report
+}  // namespace bitrock::report

@@ -6,9 +6,9 @@
 
 #include "report/plot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 /// Named series, then named horizontal bands. Empty when there are fewer than two: the title then says what is drawn.
 std::string legend_html(const Plot& plot);
 
-}  // namespace report
+}  // namespace bitrock::report

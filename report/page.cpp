@@ -12,7 +12,7 @@
 #include "report/figure_json.hpp"
 #include "report/legend.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -181,4 +181,4 @@ std::string Page::html_with(std::string_view plot_script, std::string_view plot_
       body_, plot_licence, plot_script, page_script());
 }
 
-}  // namespace report
+}  // namespace bitrock::report

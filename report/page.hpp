@@ -12,7 +12,7 @@
 
 #include "report/plot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 struct Table {
   std::string caption;
@@ -55,4 +55,4 @@ class Page {
   int tables_ = 0;
 };
 
-}  // namespace report
+}  // namespace bitrock::report

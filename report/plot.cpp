@@ -9,7 +9,7 @@
 
 #include "base/errors.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::string colour_code(Colour colour, std::size_t index) {
   return codes[static_cast<std::size_t>(colour) - 1];
 }
 
-}  // namespace report
+}  // namespace bitrock::report

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace report {
+namespace bitrock::report {
 
 enum class Style {
   line,
@@ -78,4 +78,4 @@ void share_y_axis(std::span<Plot> plots);
 /// The colour of series number `index`, as "#rrggbb".
 std::string colour_code(Colour colour, std::size_t index);
 
-}  // namespace report
+}  // namespace bitrock::report

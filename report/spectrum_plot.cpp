@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace report {
+namespace bitrock::report {
 
 namespace {
 
@@ -89,4 +89,4 @@ Plot spectrum_plot(std::string title, std::string density_label, const std::stri
   return plot;
 }
 
-}  // namespace report
+}  // namespace bitrock::report

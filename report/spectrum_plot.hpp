@@ -9,7 +9,7 @@
 #include "base/spectrum.hpp"
 #include "report/plot.hpp"
 
-namespace report {
+namespace bitrock::report {
 
 struct SpectrumLine {
   std::string name;
@@ -27,4 +27,4 @@ inline constexpr double drawn_decades = 9.0;
 Plot spectrum_plot(std::string title, std::string density_label, const std::string& marks_name,
                    std::span<const SpectrumLine> lines);
 
-}  // namespace report
+}  // namespace bitrock::report

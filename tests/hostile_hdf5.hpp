@@ -11,6 +11,8 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 
+using namespace bitrock;
+
 namespace hostile {
 
 inline std::string sealed(const std::string& image) {

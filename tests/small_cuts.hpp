@@ -5,6 +5,8 @@
 
 #include "dem2d/cut/cut_case.hpp"
 
+using namespace bitrock;
+
 namespace small_cuts {
 
 /// The example cut at 2 m/s in grains of 0.8 mm on average. The test sizes it.

@@ -45,7 +45,7 @@
 /// **Source.** [Potyondy2012] and [Potyondy2015] for the interface of bonded and unbonded elements and its strength
 /// envelope; [ItascaPFC, flat joint properties] for the two modes of the drop at a shear break (which is the vendor's
 /// default is not known to us: ours is zero). The resultants above are the integrals of the piecewise linear stress,
-/// derived in docs/flat_joint.md.
+/// derived in docs/theory/flat_joint.md.
 ///
 /// **Differences and validity.** Small rotation (sin(rotation) = rotation). The stress that breaks or slides an element
 /// is its mean N / L, also when it is partly open.
@@ -54,7 +54,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 enum class ElementState : std::uint8_t { never_bonded = 0, broken_in_tension = 1, broken_in_shear = 2, bonded = 3 };
 
@@ -170,4 +170,4 @@ inline InterfaceForce update_flat_joint(const FlatJointLaw& law, const Interface
 /// whatever could break in the reference goes there.
 inline constexpr double whole_joint_margin = 1.0 - 1e-12;
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -27,7 +27,7 @@
 
 #include "dem2d/contact/flat_joint.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Gaps at the two ends of an element [m].
 struct ElementGaps {
@@ -98,4 +98,4 @@ inline ElementLoss element_loss(const FlatJointLaw& law, double length, const El
   return loss;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -23,7 +23,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct LinearLaw {
   double normal_stiffness;  ///< kn [Pa]
@@ -105,4 +105,4 @@ inline LinearLoss linear_loss(const LinearLaw& law, const LinearInstant& before,
   return loss;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

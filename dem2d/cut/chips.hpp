@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 inline constexpr double chip_climbs_to = 0.15;     ///< of the largest force [1]
 inline constexpr double chip_collapses_to = 0.02;  ///< of the largest force [1]
@@ -28,4 +28,4 @@ inline int count_chips(const std::vector<double>& force) {
   return chips;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

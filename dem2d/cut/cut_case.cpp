@@ -11,7 +11,7 @@
 #include "dem2d/specimen/genesis.hpp"
 #include "dem2d/specimen/grading.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 using base::deg, base::mm, base::um;
@@ -208,4 +208,4 @@ CutCase parse_resolved(const std::string& text, const std::string& name) {
   return checked(base::ConfigFile::from_text(text, name));
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -9,7 +9,7 @@
 #include "dem2d/specimen/rock.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct CutCase {
   std::string rock_file;  ///< as written, relative to the case file; `rock` holds its content
@@ -63,4 +63,4 @@ std::string exact_toml(const CutCase& cut);
 /// Reads such a text back.
 CutCase parse_resolved(const std::string& text, const std::string& name);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

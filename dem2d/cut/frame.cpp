@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dem2d/cut/fragments.hpp"
+#include "dem2d/specimen/pieces.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -36,7 +36,7 @@ Frame take_frame(const World& world, const Window* window, double tip_x) {
               .y = world.discs.y,
               .radius = world.discs.radius,
               .id = world.discs.id,
-              .fragment = label_fragments(world)};
+              .fragment = label_pieces(world)};
   if (window == nullptr) return frame;
   for (std::size_t i = window->entered_discs; i < window->bed.discs.x.size(); ++i)
     add_disc(frame, window->bed.discs, i, 0);
@@ -58,4 +58,4 @@ void add_motion_and_joints(Frame& frame, const World& world, const Window* windo
   if (window != nullptr) add_joints(frame, window->bed, window->entered_discs);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -6,7 +6,7 @@
 #include "dem2d/cut/window.hpp"
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// All discs at one instant.
 struct Frame {
@@ -27,4 +27,4 @@ Frame take_frame(const World& world, const Window* window, double tip_x);
 /// Adds velocities and bonded joints, for frames that were asked for.
 void add_motion_and_joints(Frame& frame, const World& world, const Window* window);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -13,11 +13,12 @@
 #include "dem2d/cut/window.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/specimen/order.hpp"
+#include "dem2d/step/cost.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
 #include "dem2d/tool/cutter.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -62,7 +63,7 @@ void hold_sides(World& world, const Specimen& bed, double tip_y) {
 
 double years(double disc_steps) {
   constexpr double seconds_per_year = 3.156e7;
-  return disc_steps * typical_ns_per_disc_step * 1e-9 / seconds_per_year;
+  return expected_core_seconds(disc_steps, 1.0) / seconds_per_year;
 }
 
 double mean(const std::vector<double>& values) {
@@ -85,8 +86,8 @@ void check_frames(int frames, double discs) {
 World make_cut_world(const CutCase& cut, const Specimen& bed, const CutOptions& options) {
   World world = bonded_world(bed, options.threads);
   order_in_columns(world);
-  world.measure_energy = options.measure_energy;
-  world.local_damping = cut.local_damping;
+  world.ledger.measured = options.measure_energy;
+  world.materials.local_damping = cut.local_damping;
   const double margin = cut.domain_margin;
   world.domain = {-margin, -margin, bed.width + margin, bed.height + margin};
 
@@ -187,8 +188,8 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   run.mean_force_y = mean(run.force_y);
   run.specific_energy = run.mean_force_x / cut.depth_of_cut;
   run.cracks = std::move(world.cracks);
-  run.cracks_tensile =
-      static_cast<int>(std::count_if(run.cracks.begin(), run.cracks.end(), [](const Crack& c) { return c.mode == 1; }));
+  run.cracks_tensile = static_cast<int>(std::count_if(
+      run.cracks.begin(), run.cracks.end(), [](const Crack& c) { return c.mode == ElementState::broken_in_tension; }));
   run.cracks_shear = static_cast<int>(run.cracks.size()) - run.cracks_tensile;
   run.removed_discs = world.removed_discs - (window ? window->left_behind.count() : 0);
   if (options.measure_energy) run.energy_residual_fraction = energy_residual_fraction({}, run.energies.back());
@@ -198,4 +199,4 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   return run;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

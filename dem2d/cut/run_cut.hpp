@@ -19,7 +19,7 @@
 #include "dem2d/specimen/genesis.hpp"
 #include "dem2d/step/energy.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct CutRun {
   // Force history after the run-in. Each sample is the mean over the sampling interval that ends at `time` (since the
@@ -51,7 +51,7 @@ struct CutRun {
 struct CutOptions {
   int threads = 1;
   int frames = 0;              ///< extra snapshots, evenly spaced
-  bool measure_energy = true;  ///< costs a sixth of the time (docs/validation.md); no force
+  bool measure_energy = true;  ///< costs a sixth of the time (docs/results/validation.md); no force
 };
 
 /// The bed, held at its sides, with the cutter (boundary 0), prepared, with its critical step.
@@ -77,4 +77,4 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step);
 CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options = {},
                const base::ProgressCallback& progress = {});
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -11,7 +11,7 @@
 #include "dem2d/step/removal.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -97,7 +97,7 @@ void hold_ends(const Window& window, World& world) {
     const auto made = static_cast<std::size_t>(place_in_bed(window, discs.id[i]));
     const bool at_an_end = (cut_behind && discs.x[i] < low) || (cut_ahead && discs.x[i] > high);
     if (rock.inverse_mass[made] == 0.0 || (at_an_end && is_in_its_place(window, discs, i))) {
-      world.energy.removed += hold(discs, i);
+      world.ledger.accounts.removed += hold(discs, i);
     } else {
       release(discs, i);
     }
@@ -156,7 +156,8 @@ Window open_window(World& world, const CutCase& cut, double tip_x) {
                   .residual_cohesion = world.joints.residual_cohesion,
                   .drop_to_residual = world.joints.drop_to_residual};
   world.contacts = {};
-  for (std::vector<double>* values : {&world.listed_x, &world.listed_y, &world.listed_margin}) values->clear();
+  for (std::vector<double>* values : {&world.lists.listed_x, &world.lists.listed_y, &world.lists.listed_margin})
+    values->clear();
   for (Boundary& boundary : world.boundaries) boundary.near.clear();
   window.low = window.high = -std::numeric_limits<double>::infinity();
   advance_window(window, world, tip_x);
@@ -175,11 +176,11 @@ void advance_window(Window& window, World& world, double tip_x) {
   window.low = low;
   if (window.entered_discs > 0) let_go(window, world, old_high);
   world.domain.x_low = std::max(world.domain.x_low, window.low);
-  world.joint_forces.clear();  // of the last step, in the numbers of then
-  world.contact_forces.clear();
+  world.room.joint_forces.clear();  // of the last step, in the numbers of then
+  world.room.contact_forces.clear();
   let_in(window, world, high);
   hold_ends(window, world);
   prepare(world);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

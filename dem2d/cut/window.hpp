@@ -5,12 +5,12 @@
 /// held, so that the rock in between is supported as by the bed it belongs to.
 ///
 /// What this neglects is the elastic motion of the rock beyond, and the waves that would run there and be scattered
-/// back; docs/validation.md has the forces for several widths, and for the whole bed.
+/// back; docs/results/validation.md has the forces for several widths, and for the whole bed.
 
 #include "dem2d/cut/cut_case.hpp"
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// How long the moving part of the bed of a cut is, at most [m].
 double moving_length(const CutCase& cut);
@@ -39,4 +39,4 @@ Window open_window(World& world, const CutCase& cut, double tip_x);
 /// Moves the window on when the tip has travelled a few columns. Between two steps.
 void advance_window(Window& window, World& world, double tip_x);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -50,4 +50,4 @@ CurveResult read_curve(std::span<const LabSample> curve) {
           .cracks_at_peak = cracks(*peak)};
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

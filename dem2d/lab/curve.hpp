@@ -5,7 +5,7 @@
 
 #include "dem2d/lab/lab_test.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct CurveResult {
   double peak_stress, strain_at_peak;  ///< [Pa], [1]
@@ -21,4 +21,4 @@ struct CurveResult {
 /// `curve` holds at least one point with positive stress.
 CurveResult read_curve(std::span<const LabSample> curve);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

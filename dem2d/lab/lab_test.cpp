@@ -14,7 +14,7 @@
 #include "dem2d/lab/loading_rate.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -167,7 +167,8 @@ void load_to_failure(LoadFrame& frame, const Schedule& schedule, LabRun& run, co
     run.steps += schedule.steps_per_sample;
     require_finite(frame.world);
     const std::vector<Crack>& cracks = frame.world.cracks;
-    for (; counted < cracks.size(); ++counted) ++(cracks[counted].mode == 1 ? run.cracks_tensile : run.cracks_shear);
+    for (; counted < cracks.size(); ++counted)
+      ++(cracks[counted].mode == ElementState::broken_in_tension ? run.cracks_tensile : run.cracks_shear);
     const CoreStrain strain = core_strain(frame);
     if (!std::isfinite(strain.along + strain.across))
       throw base::SimulationError(
@@ -279,4 +280,4 @@ LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& s
   return run;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -46,7 +46,7 @@
 #include "base/progress.hpp"
 #include "dem2d/specimen/genesis.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 enum class LabTest { ucs, tension, brazilian };
 
@@ -131,4 +131,4 @@ LabBox specimen_box(LabTest test, const LabSettings& settings);
 LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& settings,
                     const base::ProgressCallback& progress = {});
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "base/errors.hpp"
-#include "dem2d/cut/fragments.hpp"
 #include "dem2d/lab/loading_rate.hpp"
 #include "dem2d/lab/strain.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
+#include "dem2d/specimen/pieces.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -157,7 +157,7 @@ LoadFrame make_load_frame(LabTest test, const Specimen& box, const LabSettings& 
 
   World& world = frame.world;
   world = bonded_world(specimen, 1);
-  world.local_damping = settings.local_damping;
+  world.materials.local_damping = settings.local_damping;
   const double margin = domain_lengths * std::max(specimen.width, specimen.height);
   world.domain = {-margin, -margin, specimen.width + margin, specimen.height + margin};
   frame.start_x = world.discs.x;
@@ -229,9 +229,9 @@ LabState state_of(const LoadFrame& frame) {
           .y = discs.y,
           .radius = discs.radius,
           .id = discs.id,
-          .fragment = label_fragments(frame.world),
+          .fragment = label_pieces(frame.world),
           .low = frame.low - moved,
           .high = frame.high + moved};
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

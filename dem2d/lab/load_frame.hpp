@@ -10,7 +10,7 @@
 #include "dem2d/lab/lab_test.hpp"
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct LoadFrame {
   LabTest test;
@@ -56,4 +56,4 @@ double end_strain(const LoadFrame& frame);
 
 LabState state_of(const LoadFrame& frame);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

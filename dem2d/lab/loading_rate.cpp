@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -52,4 +52,4 @@ double expected_step(const Rock& rock) {
   return 0.5 * rock.radius_min * std::sqrt(rock.density / rock.joint_modulus);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

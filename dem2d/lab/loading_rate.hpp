@@ -14,7 +14,7 @@
 /// [kg/m3] as the density of a grain; length [m] of the core along the load.
 ///
 /// **Source.** Own; the numbers of transits are from measurement: halving the rate must change the mean strength by
-/// less than 3 % (`bitrock lab --rate-check`; figures and their errors in docs/validation.md, "Loading rate").
+/// less than 3 % (`bitrock lab --rate-check`; figures and their errors in docs/results/validation.md, "Loading rate").
 ///
 /// **Local damping** is part of the rock, not only of the test: it takes off the energy by which one crack opens the
 /// next (docs/decisions/0006). The default is that of a cut, so that the rock that is calibrated is the rock that is
@@ -25,7 +25,7 @@
 
 #include "dem2d/lab/lab_test.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Rough strength [Pa] from the joints' strengths: only to choose rates and limits.
 double expected_strength(LabTest test, const Rock& rock);
@@ -40,4 +40,4 @@ double expected_strain(LabTest test, const Rock& rock);
 /// a packed core is found when it is made.
 double expected_step(const Rock& rock);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

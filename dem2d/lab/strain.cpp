@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 DisplacementGradient fit_gradient(std::span<const double> start_x, std::span<const double> start_y,
                                   std::span<const double> x, std::span<const double> y) {
@@ -34,4 +34,4 @@ DisplacementGradient fit_gradient(std::span<const double> start_x, std::span<con
           .yy = (vy * sxx - vx * sxy) / determinant};
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

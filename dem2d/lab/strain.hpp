@@ -12,7 +12,7 @@
 
 #include <span>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct DisplacementGradient {
   double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;  ///< first letter: of the displacement; second: of the slope [1]
@@ -22,4 +22,4 @@ struct DisplacementGradient {
 DisplacementGradient fit_gradient(std::span<const double> start_x, std::span<const double> start_y,
                                   std::span<const double> x, std::span<const double> y);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -5,7 +5,7 @@
 
 #include "base/random.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -44,11 +44,11 @@ World bonded_world(const Specimen& specimen, int threads) {
   const Rock& rock = specimen.rock;
   World world;
   world.threads = threads;
-  world.contact_modulus = rock.contact_modulus;
-  world.contact_stiffness_ratio = rock.contact_stiffness_ratio;
-  world.contact_friction = rock.contact_friction;
-  world.contact_damping_ratio = rock.contact_damping_ratio;
-  world.contact_shear_damping_ratio = rock.contact_shear_damping_ratio;
+  world.materials.contact_modulus = rock.contact_modulus;
+  world.materials.contact_stiffness_ratio = rock.contact_stiffness_ratio;
+  world.materials.contact_friction = rock.contact_friction;
+  world.materials.contact_damping_ratio = rock.contact_damping_ratio;
+  world.materials.contact_shear_damping_ratio = rock.contact_shear_damping_ratio;
   for (std::size_t i = 0; i < specimen.x.size(); ++i) {
     add_disc(world.discs, specimen.x[i], specimen.y[i], specimen.radius[i], rock.density);
   }
@@ -75,4 +75,4 @@ World bonded_world(const Specimen& specimen, int threads) {
   return world;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -16,9 +16,9 @@
 #include "dem2d/specimen/genesis.hpp"
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Discs at rest and their joints, ready for boundaries; contact parameters and threads set, `prepare` not yet called.
 World bonded_world(const Specimen& specimen, int threads);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -15,7 +15,7 @@
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -203,9 +203,9 @@ Packing pack(const Rock& rock, double width, double height, std::uint64_t seed, 
   Packing packing;
   World& world = packing.world;
   world.threads = threads;
-  world.contact_modulus = rock.packing_modulus;
-  world.contact_stiffness_ratio = no_shear_springs;
-  world.local_damping = rock.packing_damping;
+  world.materials.contact_modulus = rock.packing_modulus;
+  world.materials.contact_stiffness_ratio = no_shear_springs;
+  world.materials.local_damping = rock.packing_damping;
   world.domain = {0.0, 0.0, width, height};  // a centre that is pushed through a wall is lost
   fill_with_cloud(world, rock, width, height, seed);
   add_box(world, width, height, rock.packing_modulus);
@@ -230,4 +230,4 @@ Specimen make_specimen(const Rock& rock, double width, double height, std::uint6
   return specimen;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

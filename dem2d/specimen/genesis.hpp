@@ -35,7 +35,7 @@
 #include "dem2d/specimen/specimen.hpp"
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Raised by hand whenever the same rock and seed would give other discs or joints: kept specimens then count no more.
 inline constexpr int genesis_version = 3;
@@ -63,4 +63,4 @@ Packing pack(const Rock& rock, double width, double height, std::uint64_t seed, 
 Specimen make_specimen(const Rock& rock, double width, double height, std::uint64_t seed, int threads,
                        const base::ProgressCallback& progress = {});
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

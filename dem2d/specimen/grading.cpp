@@ -1,6 +1,6 @@
 #include "dem2d/specimen/grading.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 std::vector<Layer> layers(const Rock& rock, double height) {
   if (rock.fine_depth == 0.0 || rock.fine_depth >= height) return {{0.0, height, 1.0}};
@@ -12,4 +12,4 @@ double largest_radius(const Rock& rock, double height) {
   return rock.radius_max * layers(rock, height).front().size;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

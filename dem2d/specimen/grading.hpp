@@ -11,7 +11,7 @@
 
 #include "dem2d/specimen/rock.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Rock between two heights above the bottom, all of one size of grains.
 struct Layer {
@@ -25,4 +25,4 @@ std::vector<Layer> layers(const Rock& rock, double height);
 /// Of the discs of such a specimen, before they grow [m].
 double largest_radius(const Rock& rock, double height);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -60,7 +60,7 @@ void order_in_columns(World& world) {
   const auto elements = static_cast<std::size_t>(joints.elements);
   permute(joints.element_shear_stress, joint_order, elements);
   permute(joints.state, joint_order, elements);
-  world.lists_valid = false;
+  world.lists.valid = false;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -3,7 +3,7 @@
 
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Two largest radii [m].
 double column_width(const Discs& discs);
@@ -13,4 +13,4 @@ double column_width(const Discs& discs);
 /// not moved yet, whose joints are whole or wholly unbonded; before `prepare`.
 void order_in_columns(World& world);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -26,8 +26,8 @@ void add_pairs(Stress& sum, const World& world, const std::vector<int>& disc1, c
 
 Stress mean_stress(const World& world, double area) {
   Stress sum;
-  add_pairs(sum, world, world.joints.disc1, world.joints.disc2, world.joint_forces);
-  add_pairs(sum, world, world.contacts.disc1, world.contacts.disc2, world.contact_forces);
+  add_pairs(sum, world, world.joints.disc1, world.joints.disc2, world.room.joint_forces);
+  add_pairs(sum, world, world.contacts.disc1, world.contacts.disc2, world.room.contact_forces);
   const Discs& d = world.discs;
   for (const Boundary& boundary : world.boundaries) {
     for (std::size_t place = 0; place < boundary.near.size(); ++place) {
@@ -67,7 +67,7 @@ void grow(World& world, double factor) {
     d.radius[i] *= factor;
     set_mass(d, i, d.mass[i] * factor * factor, d.inertia[i] * factor * factor * factor * factor);
   }
-  world.lists_valid = false;
+  world.lists.valid = false;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -30,7 +30,7 @@
 
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct Stress {
   double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;  ///< tension positive [Pa]
@@ -47,4 +47,4 @@ double growth_for_pressure(const World& world, double area, double pressure);
 /// Multiplies all radii by `factor`; masses and inertias follow at constant density. Neighbour lists are made anew.
 void grow(World& world, double factor);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

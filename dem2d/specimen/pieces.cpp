@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -45,4 +45,9 @@ std::vector<int> label_pieces(std::size_t discs, std::span<const int> disc1, std
   return label;
 }
 
-}  // namespace dem2d
+std::vector<int> label_pieces(const World& world) {
+  const auto& joints = world.joints;
+  return label_pieces(world.discs.x.size(), joints.disc1, joints.disc2, joints.bonded);
+}
+
+}  // namespace bitrock::dem2d

@@ -5,7 +5,7 @@
 #include "base/units.hpp"
 #include "dem2d/contact/flat_joint.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -136,4 +136,4 @@ Rock parse_rock(std::string_view text, const std::string& name) {
   return checked(base::ConfigFile::from_text(text, name));
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

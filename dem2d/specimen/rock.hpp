@@ -11,7 +11,7 @@
 
 #include "base/config.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct Rock {
   std::string name = "unnamed rock";
@@ -79,4 +79,4 @@ bool has_rock_inside(const base::ConfigFile& file);
 Rock rock_inside(base::ConfigFile& file);
 Rock parse_rock(std::string_view text, const std::string& name);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -9,7 +9,7 @@
 #include "dem2d/specimen/pieces.hpp"
 #include "dem2d/step/pairs.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::vector<std::string> warnings(const Specimen& specimen) {
                   specimen.x.size(), found.count, 100.0 * share, found.unjoined, specimen.rock.installation_gap * 1e3)};
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -12,7 +12,7 @@
 #include "base/config.hpp"
 #include "dem2d/specimen/rock.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// What `Specimen::origin` says of one that this program has packed.
 inline constexpr const char* origin_genesis = "genesis";
@@ -78,4 +78,4 @@ Pieces pieces(const Specimen& specimen);
 /// What is allowed but hardly wanted, in words: discs that hang together in pieces.
 std::vector<std::string> warnings(const Specimen& specimen);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -5,7 +5,7 @@
 #include "dem2d/step/pair_motion.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -47,7 +47,7 @@ inline void one_contact(World& world, std::size_t contact) {
     contacts.dashpot_loss[contact] += loss.dashpots;
     contacts.switching_loss[contact] += loss.switching;
   }
-  world.contact_forces[contact] = pair_force(pair, -force.normal, force.shear, 0.0);
+  world.room.contact_forces[contact] = pair_force(pair, -force.normal, force.shear, 0.0);
 }
 
 /// Disc `i` against a boundary: n from the boundary to the disc, so the disc is "disc 2" and the boundary does not
@@ -71,9 +71,9 @@ inline void one_boundary_contact(World& world, Boundary& boundary, std::size_t p
     const LinearLoss loss =
         measure_contact(law, overlap, normal_speed * world.step, spring_before, spring, force, shear_increment,
                         boundary.last_normal_dashpot[i], boundary.last_shear_dashpot[i]);
-    world.energy.friction += loss.friction;
-    world.energy.dashpots += loss.dashpots;
-    world.energy.switching += loss.switching;
+    world.ledger.accounts.friction += loss.friction;
+    world.ledger.accounts.dashpots += loss.dashpots;
+    world.ledger.accounts.switching += loss.switching;
   }
   boundary.contact_force_x[place] = force.normal * point.normal_x + force.shear * point.normal_y;
   boundary.contact_force_y[place] = force.normal * point.normal_y - force.shear * point.normal_x;
@@ -103,12 +103,12 @@ void all_boundary_contacts(World& world) {
 void contact_forces(World& world, const Share& share) {
   const Range range = part_of(world.contacts.disc1.size(), share);
   for (std::size_t contact = range.begin; contact < range.end; ++contact) {
-    world.measure_energy ? one_contact<true>(world, contact) : one_contact<false>(world, contact);
+    world.ledger.measured ? one_contact<true>(world, contact) : one_contact<false>(world, contact);
   }
 }
 
 void boundary_forces(World& world) {
-  world.measure_energy ? all_boundary_contacts<true>(world) : all_boundary_contacts<false>(world);
+  world.ledger.measured ? all_boundary_contacts<true>(world) : all_boundary_contacts<false>(world);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

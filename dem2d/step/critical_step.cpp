@@ -4,7 +4,7 @@
 
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -53,7 +53,7 @@ double critical_step(const World& world, double factor) {
     const Direction n = between(discs, a, b);
     if (n.distance >= discs.radius[a] + discs.radius[b]) continue;
     const double normal = world.contacts.normal_stiffness[c];
-    const double shear = normal / world.contact_stiffness_ratio;
+    const double shear = normal / world.materials.contact_stiffness_ratio;
     stiffness.add(a, normal, shear, 0.0, n.x, n.y, discs.radius[a]);
     stiffness.add(b, normal, shear, 0.0, n.x, n.y, discs.radius[b]);
   }
@@ -83,7 +83,7 @@ double equilibrium_ratio(const World& world) {
   for (std::size_t i = 0; i < discs.x.size(); ++i) {
     unbalanced += std::hypot(discs.force_x[i], discs.force_y[i]);
   }
-  for (const std::vector<PairForce>* forces : {&world.joint_forces, &world.contact_forces}) {
+  for (const std::vector<PairForce>* forces : {&world.room.joint_forces, &world.room.contact_forces}) {
     for (const PairForce& force : *forces) total += 2.0 * std::hypot(force.x, force.y);  // each acts on two discs
   }
   for (const Boundary& boundary : world.boundaries) {
@@ -94,4 +94,4 @@ double equilibrium_ratio(const World& world) {
   return total > 0.0 ? unbalanced / total : 0.0;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

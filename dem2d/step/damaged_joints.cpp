@@ -15,7 +15,7 @@
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
-namespace dem2d::HWY_NAMESPACE {
+namespace bitrock::dem2d::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -127,7 +127,7 @@ HWY_INLINE std::uint64_t a_vector_of_joints(World& world, const int* joint, D d)
     second[lane] = joints.disc2[j];
     left |= (joints.bonded[j] == elements ? std::uint64_t{1} : 0) << lane;
   }
-  const auto one = motion_of(d, world.motion.data(), first), two = motion_of(d, world.motion.data(), second);
+  const auto one = motion_of(d, world.room.motion.data(), first), two = motion_of(d, world.room.motion.data(), second);
   const auto pair = pair_of(d, one, two, of_joint(joints.radius_difference));
 
   const auto gap = pair.distance - of_joint(joints.touching_distance);
@@ -191,7 +191,7 @@ HWY_INLINE std::uint64_t a_vector_of_joints(World& world, const int* joint, D d)
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     if ((left >> lane & 1) != 0) continue;
     const auto j = static_cast<std::size_t>(joint[lane]);
-    world.joint_forces[j] = force[lane];
+    world.room.joint_forces[j] = force[lane];
     double* const shear_stress = &joints.element_shear_stress[j * static_cast<std::size_t>(elements)];
     for (int e = 0; e < elements; ++e) shear_stress[e] = fresh_shear[e].lane[lane];
     joints.shear_stress[j] = shear_stress[0];
@@ -220,14 +220,14 @@ std::size_t listed_joints(World& world, std::span<int> listed) {
 }
 
 std::size_t DamagedJointForces(World& world, std::span<int> listed) {
-  return world.measure_energy ? listed_joints<true>(world, listed) : listed_joints<false>(world, listed);
+  return world.ledger.measured ? listed_joints<true>(world, listed) : listed_joints<false>(world, listed);
 }
 
-}  // namespace dem2d::HWY_NAMESPACE
+}  // namespace bitrock::dem2d::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace dem2d {
+namespace bitrock::dem2d {
 
 HWY_EXPORT(DamagedJointForces);
 
@@ -235,5 +235,5 @@ std::span<int> damaged_joint_forces(World& world, std::span<int> listed) {
   return listed.first(HWY_DYNAMIC_DISPATCH(DamagedJointForces)(world, listed));
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d
 #endif

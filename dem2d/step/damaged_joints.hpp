@@ -7,11 +7,11 @@
 
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Takes one step of those of the `listed` joints (ascending) that are damaged already and of which no element breaks
 /// in this step: forces, shear stresses, slip and, while energy is measured, losses. Returns the beginning of `listed`,
 /// where the others stand now, in their order: they are for the reference path, and nothing is changed for them.
 std::span<int> damaged_joint_forces(World& world, std::span<int> listed);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

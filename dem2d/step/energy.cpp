@@ -7,7 +7,7 @@
 #include "dem2d/step/local_damping.hpp"
 #include "dem2d/step/pair_motion.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -77,7 +77,7 @@ double joint_energy(const World& world, std::size_t joint) {
 
 Energies read_energies(const World& world) {
   const Discs& d = world.discs;
-  const EnergyAccounts& gone = world.energy;
+  const EnergyAccounts& gone = world.ledger.accounts;
   Energies now{.friction = gone.friction + sum(world.joints.friction_loss) + sum(world.contacts.friction_loss),
                .dashpots = gone.dashpots + sum(world.contacts.dashpot_loss),
                .local_damping = gone.local_damping + sum(d.damping_loss),
@@ -85,7 +85,7 @@ Energies read_energies(const World& world) {
                .switching = gone.switching + sum(world.joints.switching_loss) + sum(world.contacts.switching_loss),
                .removed = gone.removed,
                .injected = gone.injected};
-  const double alpha = world.local_damping, dt = world.step;
+  const double alpha = world.materials.local_damping, dt = world.step;
   for (std::size_t i = 0; i < d.x.size(); ++i) {
     for (const Component& part : {at_instant(d.mass[i], d.inverse_mass[i], d.velocity_x[i], d.force_x[i], alpha, dt),
                                   at_instant(d.mass[i], d.inverse_mass[i], d.velocity_y[i], d.force_y[i], alpha, dt),
@@ -130,20 +130,20 @@ double last_half_step(const World& world, const std::vector<PairForce>& forces, 
 }
 
 void book_joint_losses(World& world, const std::vector<char>& stays) {
-  if (!world.measure_energy) return;
+  if (!world.ledger.measured) return;
   for (std::size_t j = 0; j < stays.size(); ++j) {
     if (stays[j] != 0) continue;
-    world.energy.friction += world.joints.friction_loss[j];
-    world.energy.switching += world.joints.switching_loss[j];
-    world.energy.breaking += world.joints.breaking_loss[j];
+    world.ledger.accounts.friction += world.joints.friction_loss[j];
+    world.ledger.accounts.switching += world.joints.switching_loss[j];
+    world.ledger.accounts.breaking += world.joints.breaking_loss[j];
   }
 }
 
 void book_contact_losses(World& world) {
-  if (!world.measure_energy) return;
-  world.energy.friction += sum(world.contacts.friction_loss);
-  world.energy.dashpots += sum(world.contacts.dashpot_loss);
-  world.energy.switching += sum(world.contacts.switching_loss);
+  if (!world.ledger.measured) return;
+  world.ledger.accounts.friction += sum(world.contacts.friction_loss);
+  world.ledger.accounts.dashpots += sum(world.contacts.dashpot_loss);
+  world.ledger.accounts.switching += sum(world.contacts.switching_loss);
   for (std::vector<double>* losses :
        {&world.contacts.friction_loss, &world.contacts.dashpot_loss, &world.contacts.switching_loss}) {
     std::fill(losses->begin(), losses->end(), 0.0);
@@ -155,25 +155,28 @@ void book_lost_discs(World& world, const std::vector<char>& discs_stay, const st
   const Discs& d = world.discs;
   for (std::size_t i = 0; i < discs_stay.size(); ++i) {
     if (discs_stay[i] != 0) continue;
-    world.energy.local_damping += d.damping_loss[i];
-    world.energy.removed += 0.5 * d.mass[i] * (d.velocity_x[i] * d.velocity_x[i] + d.velocity_y[i] * d.velocity_y[i]) +
-                            0.5 * d.inertia[i] * d.spin[i] * d.spin[i];
+    world.ledger.accounts.local_damping += d.damping_loss[i];
+    world.ledger.accounts.removed +=
+        0.5 * d.mass[i] * (d.velocity_x[i] * d.velocity_x[i] + d.velocity_y[i] * d.velocity_y[i]) +
+        0.5 * d.inertia[i] * d.spin[i] * d.spin[i];
     for (const Boundary& boundary : world.boundaries) {
-      if (i < boundary.spring.size()) world.energy.removed += boundary_energy(world, boundary, i);
+      if (i < boundary.spring.size()) world.ledger.accounts.removed += boundary_energy(world, boundary, i);
     }
   }
   for (std::size_t j = 0; j < joints_stay.size(); ++j) {
     if (joints_stay[j] != 0) continue;
-    world.energy.removed += joint_energy(world, j) +
-                            last_half_step(world, world.joint_forces, j, world.joints.disc1[j], world.joints.disc2[j]);
+    world.ledger.accounts.removed +=
+        joint_energy(world, j) +
+        last_half_step(world, world.room.joint_forces, j, world.joints.disc1[j], world.joints.disc2[j]);
   }
   for (std::size_t c = 0; c < contacts_stay.size(); ++c) {
     if (contacts_stay[c] != 0) continue;
-    world.energy.removed += contact_energy(world, c) + last_half_step(world, world.contact_forces, c,
-                                                                      world.contacts.disc1[c], world.contacts.disc2[c]);
+    world.ledger.accounts.removed +=
+        contact_energy(world, c) +
+        last_half_step(world, world.room.contact_forces, c, world.contacts.disc1[c], world.contacts.disc2[c]);
   }
   book_joint_losses(world, joints_stay);
   book_contact_losses(world);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -1,5 +1,5 @@
 #pragma once
-/// The energy ledger: where the work of the boundaries went. Switched on by `World::measure_energy` before `prepare`;
+/// The energy ledger: where the work of the boundaries went. Switched on by `World::ledger.measured` before `prepare`;
 /// it reads what the step does anyway and changes nothing, so a measured run is bit for bit the same run.
 ///
 /// **Balance.** For any two instants,
@@ -35,7 +35,7 @@
 
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct Energies {
   double kinetic = 0.0;
@@ -82,4 +82,4 @@ void book_contact_losses(World& world);  ///< of all contacts; theirs start agai
 void book_lost_discs(World& world, const std::vector<char>& discs_stay, const std::vector<char>& joints_stay,
                      const std::vector<char>& contacts_stay);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

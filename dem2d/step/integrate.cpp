@@ -14,7 +14,7 @@
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
-namespace dem2d::HWY_NAMESPACE {
+namespace bitrock::dem2d::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -25,13 +25,13 @@ V local_damping(D d, V force, V velocity, V alpha) {
 }
 
 /// As many discs as D has lanes, from i on. Returns by how much they have strayed from where they
-/// were listed (World::most_strayed).
+/// were listed (World::lists.most_strayed).
 template <bool measured, class D>
 hn::Vec<D> move_discs(World& world, std::size_t i, D d) {
   Discs& discs = world.discs;
   const auto load = [d, i](const std::vector<double>& values) HWY_ATTR { return hn::LoadU(d, &values[i]); };
   const auto store = [d, i](auto v, std::vector<double>& values) HWY_ATTR { hn::StoreU(v, d, &values[i]); };
-  const auto dt = hn::Set(d, world.step), alpha = hn::Set(d, world.local_damping);
+  const auto dt = hn::Set(d, world.step), alpha = hn::Set(d, world.materials.local_damping);
   const auto force_x = load(discs.force_x), force_y = load(discs.force_y), moment = load(discs.moment);
   const auto velocity_x = load(discs.velocity_x), velocity_y = load(discs.velocity_y), spin = load(discs.spin);
   const auto inverse_mass = load(discs.inverse_mass), inverse_inertia = load(discs.inverse_inertia);
@@ -56,7 +56,8 @@ hn::Vec<D> move_discs(World& world, std::size_t i, D d) {
   store(x, discs.x);
   store(y, discs.y);
   store(load(discs.angle) + new_spin * dt, discs.angle);
-  const auto dx = x - load(world.listed_x), dy = y - load(world.listed_y), margin = load(world.listed_margin);
+  const auto dx = x - load(world.lists.listed_x), dy = y - load(world.lists.listed_y),
+             margin = load(world.lists.listed_margin);
   return dx * dx + dy * dy - margin * margin;
 }
 
@@ -76,21 +77,21 @@ double move_range(World& world, const Range& range) {
 }
 
 double MoveDiscs(World& world, const Range& range) {
-  return world.measure_energy ? move_range<true>(world, range) : move_range<false>(world, range);
+  return world.ledger.measured ? move_range<true>(world, range) : move_range<false>(world, range);
 }
 
-}  // namespace dem2d::HWY_NAMESPACE
+}  // namespace bitrock::dem2d::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace dem2d {
+namespace bitrock::dem2d {
 
 HWY_EXPORT(MoveDiscs);
 
 void integrate(World& world, const Share& share) {
   const Range range = part_of(world.discs.x.size(), share);
-  world.most_strayed[static_cast<std::size_t>(share.thread)] = HWY_DYNAMIC_DISPATCH(MoveDiscs)(world, range);
+  world.lists.most_strayed[static_cast<std::size_t>(share.thread)] = HWY_DYNAMIC_DISPATCH(MoveDiscs)(world, range);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d
 #endif

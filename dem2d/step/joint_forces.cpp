@@ -10,7 +10,7 @@
 #include "dem2d/step/step.hpp"
 #include "dem2d/step/whole_joints.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -28,7 +28,7 @@ inline void record_cracks(std::vector<Crack>& fresh, const World& world, std::si
                      .y = world.discs.y[i] + motion.lever1 * motion.normal_y + along * motion.normal_x,
                      .normal_angle = std::atan2(motion.normal_y, motion.normal_x),
                      .length = length,
-                     .mode = static_cast<int>(joints.state[element]),
+                     .mode = joints.state[element],
                      .disc1 = world.discs.id[i],
                      .disc2 = world.discs.id[j]});
   }
@@ -101,7 +101,7 @@ void one_joint(World& world, std::size_t joint, std::vector<Crack>& fresh) {
       .rotation = world.discs.angle[j] - world.discs.angle[i] - joints.stress_free_rotation[joint],
       .shear_increment = pair.shear_speed * world.step};
   const InterfaceForce force = element_by_element<measured>(world, joint, joints.law(joint), pair, motion, fresh);
-  world.joint_forces[joint] = pair_force(pair, force.normal, force.shear, force.moment);
+  world.room.joint_forces[joint] = pair_force(pair, force.normal, force.shear, force.moment);
 }
 
 template <bool measured>
@@ -119,9 +119,9 @@ void joints_of(World& world, const Range& range, std::vector<int>& room, std::ve
 void joint_forces(World& world, const Share& share) {
   const Range range = part_of(world.joints.disc1.size(), share);
   const auto thread = static_cast<std::size_t>(share.thread);
-  std::vector<int>& room = world.slow_joints[thread];
-  std::vector<Crack>& fresh = world.fresh_cracks[thread];
-  world.measure_energy ? joints_of<true>(world, range, room, fresh) : joints_of<false>(world, range, room, fresh);
+  std::vector<int>& room = world.room.slow_joints[thread];
+  std::vector<Crack>& fresh = world.room.fresh_cracks[thread];
+  world.ledger.measured ? joints_of<true>(world, range, room, fresh) : joints_of<false>(world, range, room, fresh);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -2,7 +2,7 @@
 /// vector unit (foreach_target): include after hwy/highway.h.
 ///
 /// The machines' gather instructions are not used: loads and shuffles are faster on AMD's, and on Intel's a gather
-/// waits for what was in its register before (docs/performance.md).
+/// waits for what was in its register before (docs/results/performance.md).
 
 #include "dem2d/step/world.hpp"
 
@@ -14,7 +14,7 @@
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace dem2d::HWY_NAMESPACE {
+namespace bitrock::dem2d::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -116,7 +116,7 @@ HWY_INLINE void store_pair_forces(D d, const Pair<V>& pair, V pull, V shear, V m
                         pair.lever1 * shear - moment, pair.lever2 * shear + moment, d, &forces->x);
 }
 
-}  // namespace dem2d::HWY_NAMESPACE
+}  // namespace bitrock::dem2d::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// What is taken off the force, in its unit.
 inline double local_damping(double force, double velocity, double alpha) {
@@ -12,4 +12,4 @@ inline double local_damping(double force, double velocity, double alpha) {
   return velocity != 0.0 ? loss : 0.0;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

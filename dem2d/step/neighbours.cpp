@@ -10,7 +10,7 @@
 #include "dem2d/step/removal.hpp"
 #include "dem2d/step/step.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -28,21 +28,22 @@ constexpr double used_share = 0.5;
 /// Which discs are to be listed anew. From now on they are listed where they are.
 std::vector<char> mark_moved_discs(World& world, const std::vector<int>& freed) {
   const Discs& discs = world.discs;
-  const double least = 0.5 * world.skin, most = world.skin / skin_per_radius;
+  const double least = 0.5 * world.lists.skin, most = world.lists.skin / skin_per_radius;
   const std::size_t count = discs.x.size();
-  std::vector<char> marked(count, world.lists_valid ? 0 : 1);
+  std::vector<char> marked(count, world.lists.valid ? 0 : 1);
   for (const int disc : freed) marked[static_cast<std::size_t>(disc)] = 1;
-  for (std::vector<double>* values : {&world.listed_x, &world.listed_y, &world.listed_margin}) values->resize(count);
+  for (std::vector<double>* values : {&world.lists.listed_x, &world.lists.listed_y, &world.lists.listed_margin})
+    values->resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double dx = discs.x[i] - world.listed_x[i], dy = discs.y[i] - world.listed_y[i];
-    const double used = used_share * world.listed_margin[i];
+    const double dx = discs.x[i] - world.lists.listed_x[i], dy = discs.y[i] - world.lists.listed_y[i];
+    const double used = used_share * world.lists.listed_margin[i];
     if (dx * dx + dy * dy > used * used) marked[i] = 1;
     if (marked[i] == 0) continue;
     const double speed =
         std::sqrt(discs.velocity_x[i] * discs.velocity_x[i] + discs.velocity_y[i] * discs.velocity_y[i]);
-    world.listed_x[i] = discs.x[i];
-    world.listed_y[i] = discs.y[i];
-    world.listed_margin[i] = std::clamp(steps_of_a_fast_disc * speed * world.step, least, most);
+    world.lists.listed_x[i] = discs.x[i];
+    world.lists.listed_y[i] = discs.y[i];
+    world.lists.listed_margin[i] = std::clamp(steps_of_a_fast_disc * speed * world.step, least, most);
   }
   return marked;
 }
@@ -51,8 +52,8 @@ void list_joints_of_discs(World& world) {
   const FlatJoints& joints = world.joints;
   constexpr std::size_t places = JointsOfDiscs::places, each = JointsOfDiscs::places_each;
   const auto zero = static_cast<int>(joints.disc1.size());
-  world.joint_forces.assign(joints.disc1.size() + 1, {});
-  JointsOfDiscs& lists = world.joints_of_discs;
+  world.room.joint_forces.assign(joints.disc1.size() + 1, {});
+  JointsOfDiscs& lists = world.lists.joints_of_discs;
   lists.joint.assign(places * world.discs.x.size(), zero);
   lists.more.clear();
   const auto enter = [&](int disc, std::size_t joint, bool as_disc1) {
@@ -78,7 +79,7 @@ bool are_joined(const World& world, int i, int j) {
     const auto k = static_cast<std::size_t>(joint);
     return k < joints.disc1.size() && std::minmax(joints.disc1[k], joints.disc2[k]) == std::minmax(i, j);
   };
-  const JointsOfDiscs& lists = world.joints_of_discs;
+  const JointsOfDiscs& lists = world.lists.joints_of_discs;
   const auto begin = lists.joint.begin() + static_cast<std::ptrdiff_t>(JointsOfDiscs::places) * i;
   return std::any_of(begin, begin + JointsOfDiscs::places, is_it) ||
          std::any_of(lists.more.begin(), lists.more.end(), [&is_it](const auto& entry) { return is_it(entry.joint); });
@@ -89,17 +90,17 @@ void add_contact(World& world, LinearContacts& to, int i, int j, const LinearCon
                  bool known) {
   const Discs& discs = world.discs;
   const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-  const double kn = linear_normal_stiffness(world.contact_modulus, discs.radius[a], discs.radius[b]);
+  const double kn = linear_normal_stiffness(world.materials.contact_modulus, discs.radius[a], discs.radius[b]);
   const double reduced_mass = discs.mass[a] * discs.mass[b] / (discs.mass[a] + discs.mass[b]);
   to.disc1.push_back(i);
   to.disc2.push_back(j);
   to.normal_stiffness.push_back(kn);
-  to.dashpot.push_back(dashpot_constant(world.contact_damping_ratio, reduced_mass, kn));
-  to.shear_dashpot.push_back(
-      dashpot_constant(world.contact_shear_damping_ratio, reduced_mass, kn / world.contact_stiffness_ratio));
+  to.dashpot.push_back(dashpot_constant(world.materials.contact_damping_ratio, reduced_mass, kn));
+  to.shear_dashpot.push_back(dashpot_constant(world.materials.contact_shear_damping_ratio, reduced_mass,
+                                              kn / world.materials.contact_stiffness_ratio));
   to.spring.push_back(known ? from.spring[place] : 0.0);
   to.touching.push_back(known ? from.touching[place] : 0);
-  if (!world.measure_energy) return;
+  if (!world.ledger.measured) return;
   to.last_normal_dashpot.push_back(known ? from.last_normal_dashpot[place] : 0.0);
   to.last_shear_dashpot.push_back(known ? from.last_shear_dashpot[place] : 0.0);
   to.friction_loss.push_back(0.0);
@@ -110,8 +111,8 @@ void add_contact(World& world, LinearContacts& to, int i, int j, const LinearCon
 /// Pairs of discs that are not marked stay; those with a marked disc are found anew.
 void list_contacts(World& world, const std::vector<char>& marked) {
   std::vector<double> reach = world.discs.radius;
-  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += world.listed_margin[i];
-  const Pairs found = marked_pairs(world.listed_x, world.listed_y, reach, marked);
+  for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += world.lists.listed_margin[i];
+  const Pairs found = marked_pairs(world.lists.listed_x, world.lists.listed_y, reach, marked);
   book_contact_losses(world);
   const LinearContacts& old = world.contacts;
   LinearContacts fresh;
@@ -153,7 +154,7 @@ Box box_around(const ConvexPolygon& shape, double margin) {
 void list_boundary_neighbours(World& world) {
   const Discs& discs = world.discs;
   const double largest_radius = *std::max_element(discs.radius.begin(), discs.radius.end());
-  const double largest_margin = *std::max_element(world.listed_margin.begin(), world.listed_margin.end());
+  const double largest_margin = *std::max_element(world.lists.listed_margin.begin(), world.lists.listed_margin.end());
   for (Boundary& boundary : world.boundaries) {
     for (std::vector<double>* values :
          {&boundary.spring, &boundary.reference_overlap, &boundary.last_normal_dashpot, &boundary.last_shear_dashpot}) {
@@ -162,11 +163,12 @@ void list_boundary_neighbours(World& world) {
     boundary.displaced = 0.0;
     const std::vector<int> old = std::move(boundary.near);
     boundary.near.clear();
-    const Box box = box_around(boundary.shape, largest_radius + largest_margin + 0.5 * world.skin);
+    const Box box = box_around(boundary.shape, largest_radius + largest_margin + 0.5 * world.lists.skin);
     for (std::size_t i = 0; i < discs.x.size(); ++i) {
-      const double x = world.listed_x[i], y = world.listed_y[i];
+      const double x = world.lists.listed_x[i], y = world.lists.listed_y[i];
       if (!box.holds(x, y)) continue;
-      if (nearest_point(boundary.shape, x, y).distance < discs.radius[i] + world.listed_margin[i] + 0.5 * world.skin) {
+      if (nearest_point(boundary.shape, x, y).distance <
+          discs.radius[i] + world.lists.listed_margin[i] + 0.5 * world.lists.skin) {
         boundary.near.push_back(static_cast<int>(i));
       }
     }
@@ -183,10 +185,11 @@ void list_boundary_neighbours(World& world) {
 }
 
 bool lists_hold(const World& world) {
-  if (!world.lists_valid) return false;
-  const auto moved_far = [&world](const Boundary& boundary) { return boundary.displaced > 0.5 * world.skin; };
+  if (!world.lists.valid) return false;
+  const auto moved_far = [&world](const Boundary& boundary) { return boundary.displaced > 0.5 * world.lists.skin; };
   if (std::any_of(world.boundaries.begin(), world.boundaries.end(), moved_far)) return false;
-  return std::all_of(world.most_strayed.begin(), world.most_strayed.end(), [](double s) { return s <= 0.0; });
+  return std::all_of(world.lists.most_strayed.begin(), world.lists.most_strayed.end(),
+                     [](double s) { return s <= 0.0; });
 }
 
 }  // namespace
@@ -201,21 +204,21 @@ void forgive_overlaps(Boundary& boundary, const Discs& discs) {
 
 void prepare(World& world) {
   const Discs& discs = world.discs;
-  world.skin = skin_per_radius * *std::min_element(discs.radius.begin(), discs.radius.end());
-  world.fresh_cracks.assign(static_cast<std::size_t>(world.threads), {});
-  world.slow_joints.assign(static_cast<std::size_t>(world.threads), {});
-  world.most_strayed.assign(static_cast<std::size_t>(world.threads), 0.0);
+  world.lists.skin = skin_per_radius * *std::min_element(discs.radius.begin(), discs.radius.end());
+  world.room.fresh_cracks.assign(static_cast<std::size_t>(world.threads), {});
+  world.room.slow_joints.assign(static_cast<std::size_t>(world.threads), {});
+  world.lists.most_strayed.assign(static_cast<std::size_t>(world.threads), 0.0);
   // Every element can break once: with this much room, recording a crack never allocates during a step.
   const std::size_t elements = world.joints.state.size();
   world.cracks.reserve(world.cracks.size() + elements);
-  for (std::vector<Crack>& fresh : world.fresh_cracks) fresh.reserve(elements);
-  if (world.measure_energy) {
+  for (std::vector<Crack>& fresh : world.room.fresh_cracks) fresh.reserve(elements);
+  if (world.ledger.measured) {
     world.discs.damping_loss.resize(discs.x.size(), 0.0);
     world.joints.friction_loss.resize(world.joints.disc1.size(), 0.0);
     world.joints.switching_loss.resize(world.joints.disc1.size(), 0.0);
     world.joints.breaking_loss.resize(world.joints.disc1.size(), 0.0);
   }
-  world.lists_valid = false;
+  world.lists.valid = false;
   refresh_neighbours(world);
 }
 
@@ -226,15 +229,15 @@ void refresh_neighbours(World& world) {
   if (world.discs.count() == 0) throw base::SimulationError("every disc has left the domain");
   const std::vector<int> freed = end_finished_joints(world);
   const std::vector<char> marked = mark_moved_discs(world, freed);
-  if (!world.lists_valid || discs_left || !freed.empty()) {
+  if (!world.lists.valid || discs_left || !freed.empty()) {
     list_joints_of_discs(world);
   }
-  world.motion.resize(world.discs.x.size());
+  world.room.motion.resize(world.discs.x.size());
   list_contacts(world, marked);
-  world.contact_forces.assign(world.contacts.disc1.size(), {});
+  world.room.contact_forces.assign(world.contacts.disc1.size(), {});
   list_boundary_neighbours(world);
-  std::fill(world.most_strayed.begin(), world.most_strayed.end(), 0.0);
-  world.lists_valid = true;
+  std::fill(world.lists.most_strayed.begin(), world.lists.most_strayed.end(), 0.0);
+  world.lists.valid = true;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

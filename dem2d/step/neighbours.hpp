@@ -7,7 +7,7 @@
 
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Sizes the arrays that a step needs and makes the first lists. Call once, when discs, joints and boundaries are set.
 void prepare(World& world);
@@ -15,4 +15,4 @@ void prepare(World& world);
 /// What discs overlap the boundary now carries no force (its reference overlaps): for a world that starts stress-free.
 void forgive_overlaps(Boundary& boundary, const Discs& discs);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

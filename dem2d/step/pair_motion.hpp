@@ -6,7 +6,7 @@
 
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// How disc 2 moves against disc 1 at their contact: n from 1 to 2, t = z x n; `lever` from centre to contact point.
 struct PairMotion {
@@ -47,8 +47,8 @@ inline PairForce pair_force(const PairMotion& motion, double pull, double shear,
 inline LinearLaw contact_law(const World& world, std::size_t contact) {
   const double kn = world.contacts.normal_stiffness[contact];
   return {.normal_stiffness = kn,
-          .shear_stiffness = kn / world.contact_stiffness_ratio,
-          .friction = world.contact_friction,
+          .shear_stiffness = kn / world.materials.contact_stiffness_ratio,
+          .friction = world.materials.contact_friction,
           .dashpot = world.contacts.dashpot[contact],
           .shear_dashpot = world.contacts.shear_dashpot[contact]};
 }
@@ -62,4 +62,4 @@ inline LinearLaw boundary_law(const Boundary& boundary, double mass) {
           .shear_dashpot = dashpot_constant(boundary.shear_damping_ratio, mass, ks)};
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

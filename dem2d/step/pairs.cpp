@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -109,4 +109,4 @@ Pairs marked_pairs(const Values& x, const Values& y, const Values& reach, const 
   return pairs;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

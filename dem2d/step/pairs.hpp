@@ -7,7 +7,7 @@
 
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Pairs (i < j), sorted.
 struct Pairs {
@@ -23,4 +23,4 @@ Pairs pairs_within(const Discs& discs, double gap, std::size_t most = std::numer
 Pairs marked_pairs(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& reach,
                    const std::vector<char>& marked);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -4,7 +4,7 @@
 
 #include "dem2d/step/energy.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -46,7 +46,7 @@ bool joint_is_over(const World& world, std::size_t joint) {
   const double half = joints.half_length[joint];
   if (std::fabs(joints.shear_displacement[joint]) > 2.0 * half || now.gap > 2.0 * half) return true;
   const bool open_everywhere = now.gap - std::fabs(now.rotation) * half > 0.0;
-  return open_everywhere && -now.overlap > world.skin;
+  return open_everywhere && -now.overlap > world.lists.skin;
 }
 
 /// Elastic energy that the linear contact of two discs starts with when it takes over from a joint [J/m].
@@ -54,9 +54,9 @@ double successor_energy(const World& world, std::size_t joint) {
   const double overlap = joint_position(world, joint).overlap;
   if (overlap <= 0.0) return 0.0;
   const std::vector<double>& radius = world.discs.radius;
-  const double kn =
-      linear_normal_stiffness(world.contact_modulus, radius[static_cast<std::size_t>(world.joints.disc1[joint])],
-                              radius[static_cast<std::size_t>(world.joints.disc2[joint])]);
+  const double kn = linear_normal_stiffness(world.materials.contact_modulus,
+                                            radius[static_cast<std::size_t>(world.joints.disc1[joint])],
+                                            radius[static_cast<std::size_t>(world.joints.disc2[joint])]);
   return 0.5 * kn * overlap * overlap;
 }
 
@@ -71,8 +71,9 @@ std::vector<int> end_finished_joints(World& world) {
     stays.resize(joints.disc1.size(), 1);
     stays[joint] = 0;
     freed.insert(freed.end(), {joints.disc1[joint], joints.disc2[joint]});
-    world.energy.injected += successor_energy(world, joint) - joint_energy(world, joint) -
-                             last_half_step(world, world.joint_forces, joint, joints.disc1[joint], joints.disc2[joint]);
+    world.ledger.accounts.injected +=
+        successor_energy(world, joint) - joint_energy(world, joint) -
+        last_half_step(world, world.room.joint_forces, joint, joints.disc1[joint], joints.disc2[joint]);
   }
   if (freed.empty()) return freed;
   book_joint_losses(world, stays);
@@ -115,11 +116,11 @@ bool remove_discs(World& world, const std::vector<char>& stays) {
   };
   const std::vector<char> joints_stay = both_stay(world.joints.disc1, world.joints.disc2),
                           contacts_stay = both_stay(world.contacts.disc1, world.contacts.disc2);
-  if (world.measure_energy) book_lost_discs(world, stays, joints_stay, contacts_stay);
+  if (world.ledger.measured) book_lost_discs(world, stays, joints_stay, contacts_stay);
   keep_joints(world.joints, joints_stay);
   keep_contacts(world.contacts, contacts_stay);
-  keep(world.joint_forces, joints_stay);  // their last half step is still to be looked at
-  keep(world.contact_forces, contacts_stay);
+  keep(world.room.joint_forces, joints_stay);  // their last half step is still to be looked at
+  keep(world.room.contact_forces, contacts_stay);
   for (std::vector<int>* indices :
        {&world.joints.disc1, &world.joints.disc2, &world.contacts.disc1, &world.contacts.disc2}) {
     renumber(*indices);
@@ -134,10 +135,10 @@ bool remove_discs(World& world, const std::vector<char>& stays) {
   }
   keep(discs.id, stays);
   for (std::vector<double>* values : number_arrays(discs)) keep(*values, stays);
-  keep(world.listed_x, stays);
-  keep(world.listed_y, stays);
-  keep(world.listed_margin, stays);
+  keep(world.lists.listed_x, stays);
+  keep(world.lists.listed_y, stays);
+  keep(world.lists.listed_margin, stays);
   return true;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -5,11 +5,12 @@
 /// length 2R, or the faces are open everywhere and the discs are farther apart than the skin: from then on the two are
 /// ordinary loose discs. Source of the first rule: [Potyondy2015]; the second saves keeping joints between fragments
 /// that flew apart. The rule is looked at only when lists are made anew. The change of elastic energy when a linear
-/// contact takes over from a joint (its overlap, less what the joint still held) adds up in `World::energy.injected`.
+/// contact takes over from a joint (its overlap, less what the joint still held) adds up in
+/// `World::ledger.accounts.injected`.
 
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Removes discs outside the domain with their joints and contacts; the others keep order, histories and ids. Returns
 /// whether there were any.
@@ -21,4 +22,4 @@ bool remove_discs(World& world, const std::vector<char>& stays);
 /// Ends the joints that are over and adds up the energy this injects. Returns the discs they joined.
 std::vector<int> end_finished_joints(World& world);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct Share {
   int thread = 0, threads = 1;
@@ -21,4 +21,4 @@ inline Range part_of(std::size_t count, const Share& share) {
   return {begin, std::min(count, begin + block)};
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -7,7 +7,7 @@
 
 #include "base/errors.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 namespace {
 
@@ -45,7 +45,7 @@ void move_boundaries(World& world) {
 }
 
 void collect_cracks(World& world) {
-  for (std::vector<Crack>& fresh : world.fresh_cracks) {
+  for (std::vector<Crack>& fresh : world.room.fresh_cracks) {
     // Threads hold joints in ascending blocks, so this order is the order of joints for any number of threads.
     world.cracks.insert(world.cracks.end(), fresh.begin(), fresh.end());
     fresh.clear();
@@ -93,4 +93,4 @@ void require_finite(const World& world) {
   }
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

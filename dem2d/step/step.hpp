@@ -11,7 +11,7 @@
 #include "dem2d/step/share.hpp"
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Advances the world by `world.step`. Allocates nothing but when discs are listed anew.
 void advance(World& world);
@@ -32,10 +32,6 @@ void sum_forces(World& world, const Share& share = {});      ///< sum_forces.cpp
 /// The stage of `move`, before boundaries move and cracks are collected.
 void integrate(World& world, const Share& share = {});  ///< integrate.cpp
 
-/// What a disc and step take on one core, for estimates only [ns]: cuts of the data set on an EPYC
-/// (docs/performance.md).
-inline constexpr double typical_ns_per_disc_step = 18.0;
-
 /// Share of the longest stable step that is taken [ItascaPFC], and the longest allowed; see `critical_step` [1].
 inline constexpr double usual_step_factor = 0.8, longest_step_factor = 1.0;
 
@@ -46,13 +42,13 @@ inline constexpr double usual_step_factor = 0.8, longest_step_factor = 1.0;
 ///
 /// joint: Kn = kn 2R, Ks = ks 2R, Kr = kn (2/3) R^3, rho = distance from the centre to the interface; contact: Kr = 0.
 /// Source: [ItascaPFC, time-step determination] for the form. Margin: the central-difference scheme is stable for
-/// omega dt < 2. For kappa >= 1 omega^2 is at most 4 times the larger of k/m and k_rot/I (proof in docs/flat_joint.md,
-/// "Stable step"), so omega dt <= 2 factor; in a packing of the article's rock it is 1.0 factor. The rest is for
-/// contacts that come later, and for dashpots, which lower the limit to 2 (sqrt(1 + zeta^2) - zeta), zeta being the
-/// mode's share of critical damping: debris of the article's rock, pressed together without a joint and with half the
-/// critical damping in each contact, explodes at a factor of 1.12, and does not at 1.04 (tests/verification,
-/// `StabilityOfDebris`). Hence the longest factor of 1. With softer normals the margin shrinks; at 0.8 it is gone below
-/// kappa = 0.28, at 1 below 1. The step is not checked again during a run.
+/// omega dt < 2. For kappa >= 1 omega^2 is at most 4 times the larger of k/m and k_rot/I (proof in
+/// docs/theory/flat_joint.md, "Stable step"), so omega dt <= 2 factor; in a packing of the article's rock it is 1.0
+/// factor. The rest is for contacts that come later, and for dashpots, which lower the limit to 2 (sqrt(1 + zeta^2) -
+/// zeta), zeta being the mode's share of critical damping: debris of the article's rock, pressed together without a
+/// joint and with half the critical damping in each contact, explodes at a factor of 1.12, and does not at 1.04
+/// (tests/verification, `StabilityOfDebris`). Hence the longest factor of 1. With softer normals the margin shrinks; at
+/// 0.8 it is gone below kappa = 0.28, at 1 below 1. The step is not checked again during a run.
 double critical_step(const World& world, double factor = usual_step_factor);
 
 /// Mean unbalanced force over mean sum of contact forces, over all discs [1]; 0 when nothing touches.
@@ -61,4 +57,4 @@ double equilibrium_ratio(const World& world);
 /// Throws `SimulationError` with time and disc when a position, velocity or force is not a finite number.
 void require_finite(const World& world);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

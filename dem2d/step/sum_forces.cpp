@@ -13,7 +13,7 @@
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
-namespace dem2d::HWY_NAMESPACE {
+namespace bitrock::dem2d::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -63,17 +63,17 @@ HWY_INLINE void sum_joints_of_disc(Discs& discs, std::size_t i, const PairForce*
 #endif
 
 void SumJoints(World& world, const Range& range) {
-  const int* const joint = world.joints_of_discs.joint.data();
+  const int* const joint = world.lists.joints_of_discs.joint.data();
   for (std::size_t i = range.begin; i < range.end; ++i) {
-    sum_joints_of_disc(world.discs, i, world.joint_forces.data(), joint + JointsOfDiscs::places * i);
+    sum_joints_of_disc(world.discs, i, world.room.joint_forces.data(), joint + JointsOfDiscs::places * i);
   }
 }
 
-}  // namespace dem2d::HWY_NAMESPACE
+}  // namespace bitrock::dem2d::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace dem2d {
+namespace bitrock::dem2d {
 
 HWY_EXPORT(SumJoints);
 
@@ -99,9 +99,9 @@ void add_as_disc2(Discs& discs, int disc, const PairForce& force) {
 }
 
 void add_joints_without_place(World& world, const Range& range) {
-  for (const JointsOfDiscs::Entry& entry : world.joints_of_discs.more) {
+  for (const JointsOfDiscs::Entry& entry : world.lists.joints_of_discs.more) {
     if (!holds(range, entry.disc)) continue;
-    const PairForce& force = world.joint_forces[static_cast<std::size_t>(entry.joint)];
+    const PairForce& force = world.room.joint_forces[static_cast<std::size_t>(entry.joint)];
     entry.as_disc1 ? add_as_disc1(world.discs, entry.disc, force) : add_as_disc2(world.discs, entry.disc, force);
   }
 }
@@ -111,7 +111,7 @@ void add_contacts(World& world, const Range& range) {
   const LinearContacts& contacts = world.contacts;
   for (std::size_t k = 0; k < contacts.disc1.size(); ++k) {
     if (contacts.touching[k] == 0) continue;
-    const PairForce& force = world.contact_forces[k];
+    const PairForce& force = world.room.contact_forces[k];
     if (holds(range, contacts.disc1[k])) add_as_disc1(world.discs, contacts.disc1[k], force);
     if (holds(range, contacts.disc2[k])) add_as_disc2(world.discs, contacts.disc2[k], force);
   }
@@ -140,5 +140,5 @@ void sum_forces(World& world, const Share& share) {
   add_boundaries(world, range);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d
 #endif

@@ -15,7 +15,7 @@
 // clang-format on
 
 HWY_BEFORE_NAMESPACE();
-namespace dem2d::HWY_NAMESPACE {
+namespace bitrock::dem2d::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -41,7 +41,7 @@ Arrays arrays_of(World& world) {
           .velocity_y = d.velocity_y.data(),
           .angle = d.angle.data(),
           .spin = d.spin.data(),
-          .motion = world.motion.data(),
+          .motion = world.room.motion.data(),
           .discs = d.x.size(),
           .disc1 = j.disc1.data(),
           .disc2 = j.disc2.data(),
@@ -56,7 +56,7 @@ Arrays arrays_of(World& world) {
           .cohesion = j.cohesion.data(),
           .tan_friction_angle = j.tan_friction_angle.data(),
           .shear_stress = j.shear_stress.data(),
-          .forces = world.joint_forces.data()};
+          .forces = world.room.joint_forces.data()};
 }
 
 /// Of the joints from `first` on. They are sorted by disc 1, so a few neighbouring discs serve all lanes: one load and
@@ -118,7 +118,7 @@ HWY_INLINE void a_vector_of_joints(const Arrays& a, const Constants& constants, 
 
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, hn::Not(done), bits);
-  // Not compressed into memory at once, which is slower on AMD's (docs/performance.md).
+  // Not compressed into memory at once, which is slower on AMD's (docs/results/performance.md).
   const auto joint = hn::LoadU(numbers, lane_numbers) + hn::Set(numbers, static_cast<int>(first));
   hn::StoreU(hn::CompressBits(joint, bits), numbers, left);
   left += std::popcount(bits[0]);
@@ -137,11 +137,11 @@ std::size_t WholeJointForces(World& world, const Range& range, int* left) {
   return static_cast<std::size_t>(end - left);
 }
 
-}  // namespace dem2d::HWY_NAMESPACE
+}  // namespace bitrock::dem2d::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace dem2d {
+namespace bitrock::dem2d {
 
 HWY_EXPORT(WholeJointForces);
 
@@ -152,5 +152,5 @@ std::span<int> whole_joint_forces(World& world, const Range& range, std::vector<
   return {room.data(), HWY_DYNAMIC_DISPATCH(WholeJointForces)(world, range, room.data())};
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d
 #endif

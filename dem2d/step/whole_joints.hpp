@@ -9,11 +9,11 @@
 #include "dem2d/step/share.hpp"
 #include "dem2d/step/world.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Finds the forces of those joints of a range that are whole and stay below their strength, and keeps their shear
 /// stress. Returns the others, damaged or perhaps at their strength, ascending; only the place of their force is
 /// written. `room` is where they are listed; it grows when it must.
 std::span<int> whole_joint_forces(World& world, const Range& range, std::vector<int>& room);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 void add_disc(Discs& discs, double x, double y, double radius, double density) {
   discs.id.push_back(discs.count());
@@ -56,4 +56,4 @@ void add_joint(World& world, int disc1, int disc2, const JointProperties& proper
                       bonded ? ElementState::bonded : ElementState::never_bonded);
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -13,7 +13,7 @@
 #include "dem2d/contact/linear_contact.hpp"
 #include "dem2d/tool/convex_polygon.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct Discs {
   std::vector<double> x, y, angle;             ///< [m], [m], [rad]
@@ -159,7 +159,7 @@ struct Crack {
   double x, y;          ///< middle of the interface [m]
   double normal_angle;  ///< of the interface normal, from x [rad]
   double length;        ///< of the element [m]
-  int mode;             ///< 1 tension, 2 shear
+  ElementState mode;    ///< broken in tension or in shear
   int disc1, disc2;     ///< ids of the two discs
 };
 
@@ -208,14 +208,8 @@ struct EnergyAccounts {
   double injected = 0.0;  ///< net, by contacts that took over from joints that were over
 };
 
-struct World {
-  Discs discs;
-  FlatJoints joints;
-  LinearContacts contacts;
-  std::vector<Boundary> boundaries;
-  std::vector<Crack> cracks;
-  Domain domain{};
-
+/// What does not change while discs move.
+struct Materials {
   // linear contacts between discs
   double contact_modulus = 0.0;              ///< E* [Pa]
   double contact_stiffness_ratio = 1.0;      ///< kappa [1]
@@ -224,30 +218,55 @@ struct World {
   double contact_shear_damping_ratio = 0.0;  ///< [1]
 
   double local_damping = 0.0;  ///< alpha [1]
-  double step = 0.0;           ///< dt [s]
-  double time = 0.0;           ///< [s]
-  int threads = 1;
-  bool reference_path = false;  ///< every joint element by element, also the wholly bonded ones
-  bool measure_energy = false;  ///< set before `prepare`; changes no force and no motion
+};
 
-  // neighbour lists
+/// Who can meet whom, and how long that holds (step/neighbours.hpp).
+struct NeighbourLists {
+  bool valid = false;
   double skin = 0.0;                       ///< lists hold every pair closer than this [m]
   std::vector<double> most_strayed;        ///< largest (moved^2 - margin^2) of any disc, one entry a thread [m2]
   std::vector<double> listed_x, listed_y;  ///< position of each disc when it was last listed [m]
   std::vector<double> listed_margin;       ///< how far it may move from there before it is listed anew [m]
-  bool lists_valid = false;
-  std::vector<MotionRow> motion;          ///< one a disc, copied from `discs` at the beginning of each step
-  std::vector<PairForce> joint_forces;    ///< one a joint, and behind them one that is zero
-  std::vector<PairForce> contact_forces;  ///< one a contact
   JointsOfDiscs joints_of_discs;
-  std::vector<std::vector<Crack>> fresh_cracks;  ///< of this step, one list a thread
-  std::vector<std::vector<int>> slow_joints;     ///< room to list those not done by their closed form, one a thread
+};
 
+/// Room in which one step hands over from stage to stage; it means nothing between steps.
+struct StepRoom {
+  std::vector<MotionRow> motion;                 ///< one a disc, copied from the discs at the beginning of each step
+  std::vector<PairForce> joint_forces;           ///< one a joint, and behind them one that is zero
+  std::vector<PairForce> contact_forces;         ///< one a contact
+  std::vector<std::vector<Crack>> fresh_cracks;  ///< of this step, one list a thread
+  std::vector<std::vector<int>> slow_joints;     ///< those not done by their closed form, one list a thread
+};
+
+/// Energy, where it is asked for (step/energy.hpp).
+struct Ledger {
+  bool measured = false;  ///< set before `prepare`; changes no force and no motion
+  EnergyAccounts accounts;
+};
+
+struct World {
+  // the state
+  Discs discs;
+  FlatJoints joints;
+  LinearContacts contacts;
+  std::vector<Boundary> boundaries;
+  std::vector<Crack> cracks;
+  double time = 0.0;  ///< [s]
   int removed_discs = 0;
-  EnergyAccounts energy;
+
+  Domain domain{};
+  double step = 0.0;  ///< dt [s]
+  int threads = 1;
+  bool reference_path = false;  ///< every joint element by element, also the wholly bonded ones
+
+  Materials materials;
+  NeighbourLists lists;
+  StepRoom room;
+  Ledger ledger;
 };
 
 /// Joins two discs at their present distance and angles, stress-free. Before `prepare`.
 void add_joint(World& world, int disc1, int disc2, const JointProperties& properties);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

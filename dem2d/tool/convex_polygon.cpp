@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 NearestPoint nearest_point(const ConvexPolygon& polygon, double x, double y) {
   const std::size_t corners = polygon.x.size();
@@ -40,4 +40,4 @@ void translate(ConvexPolygon& polygon, double dx, double dy) {
   for (double& y : polygon.y) y += dy;
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

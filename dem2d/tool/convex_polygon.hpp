@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 /// Corners in counter-clockwise order [m].
 struct ConvexPolygon {
@@ -25,4 +25,4 @@ ConvexPolygon rectangle(double x_low, double y_low, double x_high, double y_high
 
 void translate(ConvexPolygon& polygon, double dx, double dy);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 ConvexPolygon cutter_outline(const CutterShape& shape, double tip_x, double tip_y) {
   const double up_x = shape.diameter * std::sin(shape.back_rake), up_y = shape.diameter * std::cos(shape.back_rake);
@@ -12,4 +12,4 @@ ConvexPolygon cutter_outline(const CutterShape& shape, double tip_x, double tip_
           {tip_y, tip_y + up_y, tip_y + up_y + back_y, tip_y + back_y}};
 }
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

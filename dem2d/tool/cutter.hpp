@@ -11,7 +11,7 @@
 
 #include "dem2d/tool/convex_polygon.hpp"
 
-namespace dem2d {
+namespace bitrock::dem2d {
 
 struct CutterShape {
   double diameter;   ///< length of the face [m]
@@ -22,4 +22,4 @@ struct CutterShape {
 /// The outline with its tip at (tip_x, tip_y).
 ConvexPolygon cutter_outline(const CutterShape& shape, double tip_x, double tip_y);
 
-}  // namespace dem2d
+}  // namespace bitrock::dem2d

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the two figures of docs/flat_joint.md. Needs nothing but Python; run it anywhere:
+"""Draws the two figures of docs/theory/flat_joint.md. Needs nothing but Python; run it anywhere:
 
     python3 docs/figures/flat_joint.py
 

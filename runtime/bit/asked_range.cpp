@@ -5,7 +5,7 @@
 #include "runtime/core/conditions.hpp"
 #include "surrogate/net/trained_range.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 std::array<AskedRange, surrogate::input_count> asked_ranges(const Bit& bit, double rotation,
                                                             double rate_of_penetration) {
@@ -41,4 +41,4 @@ std::string rakes_outside(const Bit& bit, const surrogate::Model& model) {
   return surrogate::beyond_range_in_words(model.inputs[rake], asked.low, asked.high);
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -7,7 +7,7 @@
 #include "runtime/bit/bit.hpp"
 #include "surrogate/net/model.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Lowest and highest of one input over the cutters, in the unit of the model.
 struct AskedRange {
@@ -24,4 +24,4 @@ std::string asked_outside(const Bit& bit, const surrogate::Model& model, double 
 /// The same of the back rakes alone, which do not depend on the motion.
 std::string rakes_outside(const Bit& bit, const surrogate::Model& model);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -8,7 +8,7 @@
 #include "base/errors.hpp"
 #include "base/units.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -125,4 +125,4 @@ std::vector<base::Section> describe(Bit& bit, BitWords& words) {
   return sections;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

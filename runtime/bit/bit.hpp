@@ -9,7 +9,7 @@
 #include "base/config.hpp"
 #include "runtime/signal/peak_window.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 struct Cutter {
   int number = 0;          ///< part of the address of its random draws; 1-based place in the file
@@ -53,4 +53,4 @@ BitWords words_of(const Bit& bit);
 /// `[bit]`, then a `[[cutter]]` each, bound to `bit` and `words` (base/config.hpp).
 std::vector<base::Section> describe(Bit& bit, BitWords& words);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

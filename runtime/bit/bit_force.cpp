@@ -6,7 +6,7 @@
 
 #include "base/errors.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -30,15 +30,12 @@ void require_usable(const Bit& bit) {
 }
 
 /// What a failed `update` means here.
-[[noreturn]] void fail(bitrock_status status, const bitrock_core* core, const BitMotion& motion) {
+[[noreturn]] void fail(bitrock_status status, const Core& core, const BitMotion& motion) {
   if (status == BITROCK_BAD_PREDICTION) {
-    std::int64_t cutter = 0;
-    std::int32_t output = 0;
-    bitrock_core_fault(core, &cutter, &output);
     throw base::SimulationError(fmt::format(
         "cutter {}: predicted {} is not a finite number at rotation {} rad/s and rate of penetration {} m/s; "
         "check the model file",
-        cutter, surrogate::output_names[static_cast<std::size_t>(output)].name, motion.rotation,
+        core.fault_cutter, surrogate::output_names[static_cast<std::size_t>(core.fault_output)].name, motion.rotation,
         motion.rate_of_penetration));
   }
   throw base::SimulationError(fmt::format("bit at angle {} rad, rotation {} rad/s, rate of penetration {} m/s: {}",
@@ -94,23 +91,19 @@ CoreDescription describe(const Bit& bit, const surrogate::Model& model) {
 BitForce::BitForce(const Bit& bit, const surrogate::Model& model) {
   require_usable(bit);
   const CoreDescription description = describe(bit, model);
-  std::size_t bytes = 0;
-  bitrock_status status = bitrock_core_size(&description.plain, &bytes);
-  if (status == BITROCK_OK) {
-    memory_.resize((bytes + sizeof(double) - 1) / sizeof(double));
-    bitrock_core* made = nullptr;
-    status = bitrock_core_create(memory_.data(), bytes, &description.plain, &made);
-  }
+  std::int64_t parameters = 0;
+  const bitrock_status status = check(description.plain, parameters);
   if (status != BITROCK_OK) {
     throw base::InputError(fmt::format("bit {} with the model of {}: {}", bit.name,
                                        model.rock.empty() ? "unnamed rock" : model.rock, bitrock_status_text(status)));
   }
+  memory_.resize((core_bytes(description.plain, parameters) + sizeof(double) - 1) / sizeof(double));
+  make_core(memory_.data(), description.plain, parameters);
 }
 
 BitLoad BitForce::at(const BitMotion& motion) {
   bitrock_load load{};
-  const bitrock_status status =
-      bitrock_core_update(core(), motion.angle, motion.rotation, motion.rate_of_penetration, &load);
+  const bitrock_status status = update(core(), motion.angle, motion.rotation, motion.rate_of_penetration, load);
   if (status != BITROCK_OK) fail(status, core(), motion);
   return {.axial_force = load.axial_force_N, .torque = load.torque_N_m};
 }
@@ -127,43 +120,26 @@ void BitForce::along(std::span<const double> angles, const BitMotion& motion, st
 }
 
 ClampTally BitForce::clamps() const {
-  bitrock_tally tally{};
-  bitrock_core_tally(core(), &tally);
-  return {.asked = tally.asked,
-          .speed_below = tally.speed_below,
-          .speed_above = tally.speed_above,
-          .depth_below = tally.depth_below,
-          .depth_above = tally.depth_above,
-          .rake_below = tally.rake_below,
-          .rake_above = tally.rake_above};
+  return core().clamps;
 }
 
 DrawTally BitForce::draws() const {
-  bitrock_tally tally{};
-  bitrock_core_tally(core(), &tally);
-  return {.drawn = tally.drawn,
-          .mean_missed = tally.mean_missed,
-          .band_left = tally.band_left,
-          .narrowed = tally.narrowed,
-          .capped = tally.capped};
+  return runtime::draws(core());
 }
 
 std::size_t BitForce::state_size() const {
-  std::size_t bytes = 0;
-  bitrock_core_state_size(core(), &bytes);
-  return bytes;
+  return state_bytes(core());
 }
 
 void BitForce::save(std::span<std::byte> state) const {
-  if (const bitrock_status status = bitrock_core_save(core(), state.data(), state.size()); status != BITROCK_OK) {
-    throw base::InputError(fmt::format("state of a bit: {}", bitrock_status_text(status)));
-  }
+  if (state.size() < state_size())
+    throw base::InputError(fmt::format("state of a bit: {}", bitrock_status_text(BITROCK_BAD_MEMORY)));
+  runtime::save(core(), state.data());
 }
 
 void BitForce::restore(std::span<const std::byte> state) {
-  if (const bitrock_status status = bitrock_core_restore(core(), state.data(), state.size()); status != BITROCK_OK) {
-    throw base::InputError(fmt::format("state of a bit: {}", bitrock_status_text(status)));
-  }
+  if (state.size() < state_size() || !runtime::restore(core(), state.data()))
+    throw base::InputError(fmt::format("state of a bit: {}", bitrock_status_text(BITROCK_BAD_STATE)));
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

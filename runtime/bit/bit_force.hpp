@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "runtime/bit/bit.hpp"
+#include "runtime/core/bitrock_runtime.h"
 #include "runtime/core/conditions.hpp"
-#include "runtime/export/bitrock_runtime.h"
+#include "runtime/core/core.hpp"
 #include "runtime/signal/cutter_force.hpp"
 #include "surrogate/net/model.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Motion of the bit at one instant. Rates are best smoothed over 0.1 s or so [BitRock2026, sec. 3.3].
 struct BitMotion {
@@ -46,7 +47,7 @@ class BitForce {
   /// read).
   BitForce(const Bit& bit, const surrogate::Model& model);
 
-  /// Takes no memory. What it depends on is in `export/bitrock_runtime.h`, under "What holds". Throws
+  /// Takes no memory. What it depends on is in `core/bitrock_runtime.h`, under "What holds". Throws
   /// `SimulationError`, and has changed nothing, when the motion or a prediction is not finite, or the angle so large
   /// that windows can no longer be told apart (1e15 of them).
   BitLoad at(const BitMotion& motion);
@@ -67,10 +68,10 @@ class BitForce {
   void restore(std::span<const std::byte> state);
 
  private:
-  bitrock_core* core() { return reinterpret_cast<bitrock_core*>(memory_.data()); }
-  const bitrock_core* core() const { return reinterpret_cast<const bitrock_core*>(memory_.data()); }
+  Core& core() { return *reinterpret_cast<Core*>(memory_.data()); }
+  const Core& core() const { return *reinterpret_cast<const Core*>(memory_.data()); }
 
   std::vector<double> memory_;  ///< the core's bytes; doubles, so that they begin where they must
 };
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

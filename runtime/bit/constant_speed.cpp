@@ -9,13 +9,14 @@
 
 #include "base/errors.hpp"
 #include "base/stop.hpp"
+#include "base/units.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
-constexpr double rpm = 2.0 * std::numbers::pi / 60.0;      // [rad/s]
-constexpr double metre_per_hour = 1.0 / 3600.0;            // [m/s]
+using base::m_per_h, base::rpm;
+
 constexpr double rounding = 1.0 + 1e-12;                   // of a unit conversion there and back
 constexpr std::size_t samples_between_reports = 1u << 16;  // some milliseconds of work
 
@@ -32,9 +33,9 @@ std::size_t checked_samples(const ConstantSpeed& run) {
   }
   require_above_zero(run.duration, "duration", "s");
   require_above_zero(run.rate, "rate", "Hz");
-  if (!(run.rate_of_penetration >= 0.0 && run.rate_of_penetration <= fastest_m_per_h * metre_per_hour * rounding)) {
+  if (!(run.rate_of_penetration >= 0.0 && run.rate_of_penetration <= fastest_m_per_h * m_per_h * rounding)) {
     throw base::InputError(fmt::format("rate of penetration = {:.6g} m/h (must be at least 0 and at most {})",
-                                       run.rate_of_penetration / metre_per_hour, fastest_m_per_h));
+                                       run.rate_of_penetration / m_per_h, fastest_m_per_h));
   }
   // 0.1 s at 30 Hz is a hair above 3 in binary and yet 3 samples
   const double samples = std::max(1.0, std::ceil(run.duration * run.rate * (1.0 - 1e-15)));
@@ -90,4 +91,4 @@ Signal constant_speed_signal(const Bit& bit, const surrogate::Model& model, cons
   return signal;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -7,7 +7,7 @@
 #include "base/progress.hpp"
 #include "runtime/bit/bit_force.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// No bit turns slower or faster while it drills, and none advances faster: soft sand takes some 150 m/h. The limits
 /// keep angles and depths within what numbers can hold.
@@ -47,4 +47,4 @@ inline constexpr double most_samples = 2e7;
 Signal constant_speed_signal(const Bit& bit, const surrogate::Model& model, const ConstantSpeed& run,
                              const base::ProgressCallback& progress = {});
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -18,7 +18,7 @@
 #endif
 #define BITROCK_INTO_BOTH inline __attribute__((always_inline))
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// One number for each direction, x then y.
 typedef double BothDirections __attribute__((vector_size(2 * sizeof(double))));
@@ -84,4 +84,4 @@ BITROCK_INTO_BOTH void take(BothDirections& total, const ActivePair& pair, doubl
   }
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -1,6 +1,6 @@
 #include "runtime/core/conditions.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -45,4 +45,4 @@ CutterStatistics named(const std::array<double, surrogate::output_count>& o) {
           .y = {.amax = o[5], .amean = o[6], .np1 = o[7], .np23 = o[8], .np4 = o[9]}};
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

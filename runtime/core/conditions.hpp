@@ -9,7 +9,7 @@
 #include "runtime/signal/peak_statistics.hpp"
 #include "surrogate/net/evaluation.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// How often the network was asked outside its training range and answered for the nearest edge instead. One count a
 /// question and reason; a question is asked per cutter and window.
@@ -21,6 +21,17 @@ struct ClampTally {
 
   std::int64_t clamped() const {
     return speed_below + speed_above + depth_below + depth_above + rake_below + rake_above;
+  }
+  /// Adds the counts of another bit or run.
+  ClampTally& operator+=(const ClampTally& other) {
+    asked += other.asked;
+    speed_below += other.speed_below;
+    speed_above += other.speed_above;
+    depth_below += other.depth_below;
+    depth_above += other.depth_above;
+    rake_below += other.rake_below;
+    rake_above += other.rake_above;
+    return *this;
   }
 };
 
@@ -88,4 +99,4 @@ void ask(const ModelNumbers& model, const double* parameters, const surrogate::C
 /// The ten outputs by their names.
 CutterStatistics named(const std::array<double, surrogate::output_count>& outputs);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -154,4 +154,4 @@ DrawTally draws(const Core& core) {
   return sum;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

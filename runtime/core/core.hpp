@@ -1,5 +1,5 @@
 #pragma once
-/// A whole bit in one block of memory: what the C interface (runtime/export/bitrock_runtime.h) makes and calls, and
+/// A whole bit in one block of memory: what the C interface (runtime/core/bitrock_runtime.h) makes and calls, and
 /// what `BitForce` wraps. No pointers inside, so its bytes can be copied; no heap, no exceptions, no C++ library beyond
 /// its headers. The file with the law of the bit is core.cpp.
 
@@ -7,12 +7,12 @@
 #include <cstdint>
 
 #include "runtime/core/active_pulses.hpp"
+#include "runtime/core/bitrock_runtime.h"
 #include "runtime/core/conditions.hpp"
-#include "runtime/export/bitrock_runtime.h"
 #include "runtime/laws/moving_average.hpp"
 #include "runtime/signal/cutter_force.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 inline constexpr double most_windows = 1e15;  ///< every window number below it is an exact double
 inline constexpr std::uint64_t core_magic = 0x62697472'6f636b31ULL;
@@ -104,4 +104,4 @@ void save(const Core& core, void* state);
 /// and number is looked at, also when the checksum fits.
 bool restore(Core& core, const void* state);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

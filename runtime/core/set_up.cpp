@@ -4,7 +4,7 @@
 #include "base/random.hpp"
 #include "runtime/core/core.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -169,7 +169,7 @@ Core* make_core(void* memory, const bitrock_description& description, std::int64
   std::int64_t first = 0;
   for (std::size_t i = 0; i < core.model.outputs.size(); ++i) {
     take_output(core.model.outputs[i], description.model.outputs[i], first, parameters(core), print);
-    first += ::runtime::parameter_count(description.model.outputs[i]);
+    first += bitrock::runtime::parameter_count(description.model.outputs[i]);
   }
   core.fingerprint = print.word;
   reset(core);
@@ -192,4 +192,4 @@ void reset(Core& core) {
   core.fault_output = 0;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -5,7 +5,7 @@
 #include "base/random.hpp"
 #include "runtime/core/core.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -81,7 +81,7 @@ bool is_together(const MovingAverage& a, const MovingAverage& b) {
   return true;
 }
 
-bool is_sound(const PeakStatistics& s) {
+bool is_sound(const peaks::PeakRates& s) {
   return finite(s.amax, s.amean, s.np1, s.np23, s.np4) && usable(s) == s;
 }
 
@@ -165,4 +165,4 @@ bool restore(Core& core, const void* state) {
   return true;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -8,7 +8,7 @@
 #include "runtime/laws/bit_inertia.hpp"
 #include "runtime/laws/hydraulic_force.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -135,4 +135,4 @@ void require_stable(const DrillCase& drill, const DrillString& string) {
                   drill.name, drill.run.step / ms, longest / ms));
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

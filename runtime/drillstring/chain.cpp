@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -127,4 +127,4 @@ double kinetic_energy(const Chain& chain, const ChainMotion& motion) {
   return sum;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// All four lists have one entry a lump, from top to bottom. Units: axial / torsional.
 struct Chain {
@@ -78,4 +78,4 @@ double spring_energy(const Chain& chain, const ChainMotion& motion, const Drive&
 double damper_power(const Chain& chain, const ChainMotion& motion, const Drive& drive);
 double kinetic_energy(const Chain& chain, const ChainMotion& motion);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

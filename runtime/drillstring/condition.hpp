@@ -4,7 +4,7 @@
 
 #include "runtime/drillstring/drill_run.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 struct DrillCondition {
   bool steady = false;      ///< the bit never rests or turns back, and never leaves the rock
@@ -27,4 +27,4 @@ inline DrillCondition condition(const DrillSummary& summary, double drive_rotati
           .bit_bounce = least <= 0.0 && summary.weight_on_bit.highest > peak * summary.static_weight_on_bit};
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -5,19 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "base/errors.hpp"
 #include "base/units.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
-using base::any, base::between, base::zero_or, base::deg, base::GPa, base::mm, base::MPa;
+using base::any, base::between, base::zero_or;
+using base::deg, base::GPa, base::kN, base::mm, base::mm2, base::MPa, base::ms, base::rpm;
 
-constexpr double rpm = 2.0 * std::numbers::pi / 60.0, kN = 1e3, ms = 1e-3, mm2 = 1e-6;
 constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 constexpr double most_steps = 1e9;    // an hour or two of one core
 
@@ -396,4 +395,4 @@ std::string resolved_toml(const DrillCase& drill) {
   return base::to_exact_toml(sections);
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

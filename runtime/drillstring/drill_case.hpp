@@ -1,6 +1,6 @@
 #pragma once
 /// A drilling case as a file says it: string, top drive, bit, rock, excitation, and how long to run. `assemble` makes
-/// of it the drill string that the solver takes. The file's keys are in docs/formats.md.
+/// of it the drill string that the solver takes. The file's keys are in docs/reference/formats.md.
 
 #include <filesystem>
 #include <string>
@@ -12,7 +12,7 @@
 #include "runtime/drillstring/drill_string.hpp"
 #include "runtime/drillstring/modes.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 enum class SourceKind { none, sinusoidal, noise, bit };
 
@@ -106,4 +106,4 @@ struct DrillModes {
 /// Natural frequencies of the whole string.
 DrillModes drill_modes(const DrillString& string);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

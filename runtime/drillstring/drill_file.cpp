@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -201,4 +201,4 @@ DrillFile read_drill_run(const std::filesystem::path& path) {
   return result;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -1,12 +1,12 @@
 #pragma once
-/// A finished drill run as an HDF5 file (docs/formats.md, "drill.h5").
+/// A finished drill run as an HDF5 file (docs/reference/formats.md, "drill.h5").
 
 #include <filesystem>
 #include <string>
 
 #include "runtime/drillstring/drill_run.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// The same run always gives the same bytes, but for the attribute wall_s. `model` is the fingerprint of the model
 /// file; empty where there is none.
@@ -24,4 +24,4 @@ struct DrillFile {
 /// changed, a series missing, shorter than the others or with values that are not finite, times that do not go up.
 DrillFile read_drill_run(const std::filesystem::path& path);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -10,7 +10,7 @@
 #include "base/errors.hpp"
 #include "base/stop.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -197,4 +197,4 @@ DrillRun run_drill(const DrillCase& drill, const DrillString& string, const Dril
   return run;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

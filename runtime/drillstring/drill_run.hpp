@@ -10,7 +10,7 @@
 #include "runtime/drillstring/drill_case.hpp"
 #include "surrogate/net/model.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Every list has one entry a sample; values of that instant, not means.
 struct DrillSeries {
@@ -80,4 +80,4 @@ DrillRun run_drill(const DrillCase& drill, const DrillString& string, const Dril
 /// Step that is run: the longest not above that of the case of which `sample` is a whole number.
 double step_of(const DrillSchedule& run);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -11,7 +11,7 @@
 #include "runtime/laws/progression_angle.hpp"
 #include "runtime/signal/step5.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -310,4 +310,4 @@ double energy_residual(const DrillString& string, const DrillState& state, doubl
   return in - out - (stored_energy(string, state) - initial);
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -13,7 +13,7 @@
 #include "runtime/laws/rate_of_penetration.hpp"
 #include "runtime/laws/rock_contact.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Rotation imposed on the first spring, or torque on a drive that is itself the first lump of the torsional chain.
 struct TopDrive {
@@ -134,4 +134,4 @@ double stored_energy(const DrillString& string, const DrillState& state);
 /// [J]: what the solver lost or made. Of second order in the step.
 double energy_residual(const DrillString& string, const DrillState& state, double initial);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -4,7 +4,7 @@
 
 #include "base/random.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 BitRockSource no_excitation() {
   return [](const BitMotion&) { return BitLoad{}; };
@@ -32,4 +32,4 @@ BitRockSource bit_excitation(BitForce& bit) {
   return [&bit](const BitMotion& motion) { return bit.at(motion); };
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -8,7 +8,7 @@
 
 #include "runtime/bit/bit_force.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Load of the rock on the bit at a motion whose rates are means over 0.1 s or so. A torque below 0 counts as 0: the
 /// rock does not drive the bit.
@@ -40,4 +40,4 @@ BitRockSource noise_excitation(const Excitation& force, const Excitation& torque
 /// The networks: the load of a whole bit. `bit` must outlive the source, and remembers its windows.
 BitRockSource bit_excitation(BitForce& bit);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

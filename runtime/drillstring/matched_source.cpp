@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -57,4 +57,4 @@ MatchedRun run_matched(const DrillCase& drill, SourceKind kind, const DrillSumma
   return best;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

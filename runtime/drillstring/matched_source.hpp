@@ -5,7 +5,7 @@
 
 #include "runtime/drillstring/drill_run.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// A run under a simple source, and how well it met what was asked.
 struct MatchedRun {
@@ -26,4 +26,4 @@ inline constexpr double good_match = 0.005;  // [1]
 MatchedRun run_matched(const DrillCase& drill, SourceKind kind, const DrillSummary& target,
                        const base::ProgressCallback& progress = {});
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -115,4 +115,4 @@ bool is_stable_step(const Chain& chain, const BitSupport& support, double h) {
   return is_bounded(scaled_by_mass(chain, support), h);
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -6,7 +6,7 @@
 
 #include "runtime/drillstring/chain.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// What the surroundings add to the lowest lump.
 struct BitSupport {
@@ -46,4 +46,4 @@ double longest_stable_step(const Chain& chain, const BitSupport& support);
 /// Whether a step `h` [s] keeps it bounded; one spectral radius instead of some fifteen.
 bool is_stable_step(const Chain& chain, const BitSupport& support, double h);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

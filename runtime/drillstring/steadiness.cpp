@@ -5,7 +5,7 @@
 
 #include "runtime/drillstring/modes.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -33,4 +33,4 @@ double steady_weight_limit(const DrillString& string, double rotation) {
   return falling > 0.0 ? equivalent_damping(string.torsional) / falling : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

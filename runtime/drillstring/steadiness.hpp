@@ -4,7 +4,7 @@
 
 #include "runtime/drillstring/drill_string.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Both in N m s/rad; small vibrations about steady rotation die while `demand` is below `damping`.
 struct Steadiness {
@@ -21,4 +21,4 @@ Steadiness steadiness(const DrillString& string, double rotation, double weight)
 /// The weight on bit [N] at which the two are equal; infinite where friction does not fall with speed.
 double steady_weight_limit(const DrillString& string, double rotation);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

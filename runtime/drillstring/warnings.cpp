@@ -7,13 +7,14 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/units.hpp"
 #include "runtime/drillstring/drill_case.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
-constexpr double kN = 1e3, mm = 1e-3;
+using base::kN, base::mm;
 
 // Most weight on bit over the diameter of the bit [N/m]. A rule of thumb: makers' data sheets of 8 1/2 in PDC bits
 // allow some 110 to 160 kN, 0.5 to 0.75 kN a mm. Recalled, not from a table.
@@ -166,4 +167,4 @@ std::vector<std::string> warnings(const DrillCase& drill, const DrillString& str
   return found;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -1,7 +1,7 @@
 #pragma once
 /// Mass and inertia of the bit, which move with the lowest lump of the string.
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Mass recalled from the literature for bits of about 8 1/2 in, not verified; the article gives none.
 inline constexpr double usual_bit_mass = 65.0;  ///< [kg]
@@ -14,4 +14,4 @@ inline double bit_inertia(double mass, double radius) {
   return 0.5 * mass * radius * radius;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -2,7 +2,7 @@
 /// The torque of the rock in front of the cutters as a spring that breaks: it builds up while the bit turns and never
 /// exceeds what the rock bears at that angle. Holds one number, the twist stored in the rock; the caller keeps it.
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// What happens while the bit turns back.
 enum class Unloading {
@@ -36,4 +36,4 @@ inline FractureSpring fracture_spring(double twist, double turned, double stiffn
   return {next, stiffness * next};
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Constants of the smooth law. Recalled from the literature on bit friction [YigitChristoforou2006], not verified:
 /// values to calibrate, not properties of a rock. The article prints none.
@@ -56,4 +56,4 @@ inline double friction_slope(const StribeckFriction& law, double x) {
   return -law.decay * (law.resting - law.sliding) * std::exp(-law.decay * std::abs(x));
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -1,7 +1,7 @@
 #pragma once
 /// Force of the drilling fluid that leaves the nozzles of the bit. A constant of the operation, not of the motion.
 
-namespace runtime {
+namespace bitrock::runtime {
 
 enum class JetForce { up, down };
 
@@ -16,4 +16,4 @@ inline double hydraulic_force(double pressure_drop, double nozzle_area, JetForce
   return (direction == JetForce::up ? 1.0 : -1.0) * pressure_drop * nozzle_area;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

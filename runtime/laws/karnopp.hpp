@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// What friction does to one body in one step.
 struct DryFriction {
@@ -35,4 +35,4 @@ inline DryFriction karnopp(int direction, double speed_before, double half_step_
   return {along_torque, -along_torque * sliding};
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

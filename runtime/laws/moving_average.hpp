@@ -8,7 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Places for the past. A window of 0.1 s is cut into pieces of 0.4 ms or longer; shorter steps share a piece.
 inline constexpr int average_places = 256;
@@ -94,4 +94,4 @@ inline double mean(const MovingAverage& average) {
   return (average.integral[last] - before) / average.window;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// **What** Growth of the bit progression angle in one step.
 /// **Equation** d(theta_bp) = d(phi) where d(phi) > 0 and W > W_TS, else 0.
@@ -27,4 +27,4 @@ inline double missing_angle(double before, double after, double length) {
   return jumps ? 0.0 : 0.5 * length * (after - before);
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Rate of penetration = max(0, slope * weight + offset) above the threshold, 0 at and below it and without rotation.
 struct AdvanceLine {
@@ -54,4 +54,4 @@ inline AdvanceLine advance_line(const RegularizedAdvance& law, double rotation, 
   return {.slope = z * z * law.a2, .offset = z * law.a3 * rotation - z * z * law.a1, .threshold = threshold};
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

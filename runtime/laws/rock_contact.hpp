@@ -6,7 +6,7 @@
 
 #include "runtime/laws/rate_of_penetration.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Recalled from the literature on bit-rock contact [YigitChristoforou2006], not verified.
 struct RockContact {
@@ -39,4 +39,4 @@ inline RockPush rock_push(const RockContact& rock, const AdvanceLine& line, doub
   return {line.threshold, (without_drilling - line.threshold) / rock.damping};
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

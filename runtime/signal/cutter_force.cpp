@@ -1,6 +1,6 @@
 #include "runtime/signal/cutter_force.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -91,4 +91,4 @@ void restore(CutterForce& cutter, const CutterMemory& memory) {
   if (changed && memory.entered != no_window) gather(cutter);
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

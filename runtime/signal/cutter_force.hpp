@@ -10,7 +10,7 @@
 
 #include "runtime/signal/peak_window.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// How often the wishes of the statistics could not be granted. Counted per window and component.
 struct DrawTally {
@@ -68,4 +68,4 @@ void enter_window(CutterForce& cutter, std::int64_t window, const CutterStatisti
 /// Draws only what differs from what is there.
 void restore(CutterForce& cutter, const CutterMemory& memory);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

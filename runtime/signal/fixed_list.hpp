@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 template <class Item, std::size_t most>
 struct FixedList {
@@ -25,4 +25,4 @@ struct FixedList {
   void push_back(const Item& item) { items.data()[count++] = item; }
 };
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

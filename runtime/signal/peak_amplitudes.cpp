@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -89,7 +89,7 @@ FitOutcome fit_by_scaling(const PeakCounts& counts, double target, std::size_t f
 
 }  // namespace
 
-FitOutcome draw_amplitudes(const PeakStatistics& statistics, const PeakCounts& counts, AmplitudeFit fit,
+FitOutcome draw_amplitudes(const peaks::PeakRates& statistics, const PeakCounts& counts, AmplitudeFit fit,
                            const WindowKey& key, std::span<double> amplitudes) {
   if (amplitudes.empty()) return {};
   if (statistics.amax <= 0.0) {
@@ -117,4 +117,4 @@ FitOutcome draw_amplitudes(const PeakStatistics& statistics, const PeakCounts& c
   return outcome;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -8,7 +8,7 @@
 #include "runtime/signal/peak_counts.hpp"
 #include "runtime/signal/peak_statistics.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 enum class AmplitudeFit {
   band_preserving,  ///< every peak stays in its band; the default
@@ -48,7 +48,7 @@ inline constexpr double lowest_counted = 0.01;
 /// is N Amean when all nu_b are whole, and differs by what rounding added or left out otherwise. Where no heights in
 /// the bands have the mean Amean, they stop at the edge of the bands and `mean_missed` is set. (5) N = 0: nothing.
 /// `amplitudes` has counts.total() entries; statistics are `usable`.
-FitOutcome draw_amplitudes(const PeakStatistics& statistics, const PeakCounts& counts, AmplitudeFit fit,
+FitOutcome draw_amplitudes(const peaks::PeakRates& statistics, const PeakCounts& counts, AmplitudeFit fit,
                            const WindowKey& key, std::span<double> amplitudes);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -12,7 +12,7 @@ constexpr double countless = 1e300;
 
 }  // namespace
 
-PeakCounts count_peaks(const PeakStatistics& statistics, double arc_length, const WindowKey& key) {
+PeakCounts count_peaks(const peaks::PeakRates& statistics, double arc_length, const WindowKey& key) {
   PeakCounts counts;
   counts.nu1 = std::min(statistics.np1 * arc_length, countless);
   counts.nu23 = std::min(statistics.np23 * arc_length, countless);
@@ -34,4 +34,4 @@ PeakCounts count_peaks(const PeakStatistics& statistics, double arc_length, cons
   return counts;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -8,7 +8,7 @@
 #include "base/random.hpp"
 #include "runtime/signal/peak_statistics.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Address of one window of one cutter. Draws hang on this address and not on a place in a stream, so a signal does
 /// not depend on step size, on the order of evaluation, or on threads.
@@ -54,6 +54,6 @@ inline constexpr int largest_peak_count = 1024;
 /// sum nu. So a window is empty only where nu < 1, and then with probability 1 - nu: 15 mm at 40 peaks a metre hold one
 /// peak in 60 % of the windows. Above `largest_peak_count` all bands shrink by one factor; the mean force does not
 /// change, because pulses widen as they become fewer.
-PeakCounts count_peaks(const PeakStatistics& statistics, double arc_length, const WindowKey& key);
+PeakCounts count_peaks(const peaks::PeakRates& statistics, double arc_length, const WindowKey& key);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

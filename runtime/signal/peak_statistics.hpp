@@ -2,31 +2,18 @@
 /// The five numbers a force history is rebuilt from, for each of its two components, as plain data. The signal core
 /// takes them from whoever has them (a network, a table, a test) and does not know where they came from.
 
-namespace runtime {
+#include "peaks/rates.hpp"
 
-/// **What** Peak statistics of one force component of one cutter.
-/// **Source** [BitRock2026, sec. 3.2].
-/// **Differences and validity** The article counts peaks in the time window of its simulations and divides by the
-/// rotation rate and the cutter's radius when it rebuilds the signal. Here the counts are per metre of cut from the
-/// beginning, so they mean the same for a short cut and a long one, and at any speed.
-struct PeakStatistics {
-  double amax = 0.0;   ///< [N/m] height of the highest peak, per metre of cutter width
-  double amean = 0.0;  ///< [N/m] mean height of all peaks, per metre of cutter width
-  double np1 = 0.0;    ///< [1/m] peaks of 75 % to 100 % of amax, per metre of cut
-  double np23 = 0.0;   ///< [1/m] peaks of 25 % to 75 % of amax, per metre of cut
-  double np4 = 0.0;    ///< [1/m] peaks of 0 % to 25 % of amax, per metre of cut
-
-  bool operator==(const PeakStatistics&) const = default;
-};
+namespace bitrock::runtime {
 
 struct CutterStatistics {
-  PeakStatistics x;  ///< cutting direction, resistance positive
-  PeakStatistics y;  ///< axial direction, push out of the rock positive
+  peaks::PeakRates x;  ///< cutting direction, resistance positive
+  peaks::PeakRates y;  ///< axial direction, push out of the rock positive
 
   bool operator==(const CutterStatistics&) const = default;
 };
 
 /// The statistics made fit for use: negative values become 0, amean above amax becomes amax. They must be finite.
-PeakStatistics usable(const PeakStatistics& statistics);
+peaks::PeakRates usable(const peaks::PeakRates& statistics);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

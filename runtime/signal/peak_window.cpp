@@ -4,11 +4,11 @@
 #include <array>
 #include <span>
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
-ComponentDraw draw_component(PeakWindow& window, const PeakStatistics& statistics, double Peak::*component,
+ComponentDraw draw_component(PeakWindow& window, const peaks::PeakRates& statistics, double Peak::*component,
                              double path_radius, const SignalSettings& settings, const WindowKey& key) {
   ComponentDraw drawn;
   drawn.counts = count_peaks(statistics, path_radius * settings.window_angle, key);
@@ -53,4 +53,4 @@ void put_pulses(const PeakWindow& window, double shift, double window_angle, Pul
   }
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -8,7 +8,7 @@
 #include "runtime/signal/peak_statistics.hpp"
 #include "runtime/signal/pulse_train.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 struct SignalSettings {
   double window_angle = 0.0;        ///< [rad] theta_T, above 0
@@ -57,4 +57,4 @@ void draw_window(PeakWindow& window, const CutterStatistics& statistics, double 
 /// only those felt between 0 and theta_T. Call `restart` after the last.
 void put_pulses(const PeakWindow& window, double shift, double window_angle, PulseTrain& train);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -5,7 +5,7 @@
 
 #include "runtime/signal/step5.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 namespace {
 
@@ -64,4 +64,4 @@ ForcePerMetre force_at(PulseTrain& train, Combine combine, double angle) {
   return total;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -10,7 +10,7 @@
 #include "runtime/signal/fixed_list.hpp"
 #include "runtime/signal/peak_counts.hpp"
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// Force on one cutter per metre of its width.
 struct ForcePerMetre {
@@ -66,4 +66,4 @@ void follow(PulseTrain& train, double angle);
 /// all its cutters together (`active_pulses.hpp`), to the same bits.
 ForcePerMetre force_at(PulseTrain& train, Combine combine, double angle);
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

@@ -3,7 +3,7 @@
 /// solver of equations of motion needs a force without jumps in value, slope or curvature. It knows nothing of forces
 /// or angles.
 
-namespace runtime {
+namespace bitrock::runtime {
 
 /// **What** Smooth step from 0 to 1 on the unit interval, the core of both functions below.
 /// **Equation** S(s) = s^3 (10 - 15 s + 6 s^2), 0 <= s <= 1; S' = 30 s^2 (1 - s)^2, S'' = 60 s (1 - s)(1 - 2 s).
@@ -38,4 +38,4 @@ inline double unit_pulse(double distance, double inverse_half_width) {
   return s > 0.0 ? smooth_unit_step(s) : 0.0;
 }
 
-}  // namespace runtime
+}  // namespace bitrock::runtime

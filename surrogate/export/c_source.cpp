@@ -8,7 +8,7 @@
 #include "surrogate/export/columns.hpp"
 #include "surrogate/export/source_text.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -246,4 +246,4 @@ std::string c_source(const Model& model, std::string_view prefix) {
   return head(model, prefix) + replaced(code, "PREFIX", prefix);
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -14,10 +14,10 @@
 
 #include "surrogate/net/model.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// The text of the file. All its names begin with `prefix`, so that several models can live in one program. The same
 /// model and prefix always give the same text. Throws `base::InputError` when the prefix is no identifier.
 std::string c_source(const Model& model, std::string_view prefix);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

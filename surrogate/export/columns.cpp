@@ -1,6 +1,6 @@
 #include "surrogate/export/columns.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::array<Column, output_count> statistic_columns(const Model& model) {
   return columns;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -9,7 +9,7 @@
 
 #include "surrogate/net/model.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 struct Column {
   std::string name;     ///< ends in its unit
@@ -22,4 +22,4 @@ struct Column {
 std::array<Column, input_count> condition_columns(const Model& model);
 std::array<Column, output_count> statistic_columns(const Model& model);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -8,7 +8,7 @@
 #include "surrogate/export/columns.hpp"
 #include "surrogate/export/source_text.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::string matlab_source(const Model& model, std::string_view name) {
          replaced(std::string(calculation), "NAME", name);
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

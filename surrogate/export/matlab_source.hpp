@@ -10,10 +10,10 @@
 
 #include "surrogate/net/model.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// The text of the file `name`.m: the function must be called like its file. Throws `base::InputError` when the name is
 /// no identifier.
 std::string matlab_source(const Model& model, std::string_view name);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

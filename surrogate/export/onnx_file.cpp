@@ -13,7 +13,7 @@
 #include "base/version.hpp"
 #include "surrogate/export/columns.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -203,4 +203,4 @@ std::string onnx_file(const Model& model) {
   return file.SerializeAsString();
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -20,10 +20,10 @@
 
 #include "surrogate/net/model.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// The bytes of the file, checked by ONNX' own checker. The same model always gives the same bytes. Throws
 /// `base::InputError` when a number of the model does not fit into 32 bits, or when bitrock was built without ONNX.
 std::string onnx_file(const Model& model);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -2,11 +2,11 @@
 #include "base/errors.hpp"
 #include "surrogate/export/onnx_file.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 std::string onnx_file(const Model&) {
   throw base::InputError(
       "this bitrock was built without ONNX (install Debian's libonnx-dev and libprotobuf-dev, and build again)");
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

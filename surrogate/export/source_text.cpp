@@ -5,7 +5,7 @@
 #include "base/errors.hpp"
 #include "base/version.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
   return text;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -8,7 +8,7 @@
 #include "surrogate/export/columns.hpp"
 #include "surrogate/net/model.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// Shortest decimal text that reads back to the same bits, with a point or an exponent, so that it is no whole number.
 std::string number_text(double value);
@@ -31,4 +31,4 @@ std::string origin(const Model& model, std::string_view margin);
 /// `text` with each `from` replaced.
 std::string replaced(std::string text, std::string_view from, std::string_view to);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// What the last layer does with z[K] = W[K] a[K-1] + b[K].
 enum class OutputActivation {
@@ -128,4 +128,4 @@ inline double clamped_to_range(double low, double high, double given, double si_
   return given;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -9,7 +9,7 @@
 #include "base/errors.hpp"
 #include "base/text.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 JsonPlace::JsonPlace(const nlohmann::json& value, const std::string& file, std::string path)
     : value_(value), file_(file), path_(std::move(path)) {}
@@ -103,4 +103,4 @@ std::string JsonPlace::seen() const {
   return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

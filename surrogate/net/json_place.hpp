@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 class JsonPlace {
  public:
@@ -41,4 +41,4 @@ class JsonPlace {
   std::string path_;
 };
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

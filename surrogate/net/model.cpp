@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -29,7 +29,7 @@ double output_value(const OutputModel& output, const Conditions& scaled) {
   return from_network(output, given);
 }
 
-PeakStatisticsPrediction statistics(const Model& model, std::size_t first, const Conditions& scaled) {
+peaks::PeakRates statistics(const Model& model, std::size_t first, const Conditions& scaled) {
   return {.amax = output_value(model.outputs[first], scaled),
           .amean = output_value(model.outputs[first + 1], scaled),
           .np1 = output_value(model.outputs[first + 2], scaled),
@@ -49,7 +49,7 @@ double from_network(const OutputModel& output, double given) {
 }
 
 std::array<double, output_count> listed(const Prediction& prediction) {
-  const PeakStatisticsPrediction &x = prediction.x, &y = prediction.y;
+  const peaks::PeakRates &x = prediction.x, &y = prediction.y;
   return {x.amax, x.amean, x.np1, x.np23, x.np4, y.amax, y.amean, y.np1, y.np23, y.np4};
 }
 
@@ -77,4 +77,4 @@ CutConditions clamped_to_training_range(const Model& model, CutConditions condit
   return conditions;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

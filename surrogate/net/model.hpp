@@ -10,9 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "peaks/rates.hpp"
 #include "surrogate/net/network.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// One input or output. In the unit of the file, because a model file is a door: scaled = (value - offset) / scale.
 struct Variable {
@@ -115,19 +116,10 @@ struct Model {
   Provenance provenance;
 };
 
-/// Peak statistics of one force component [BitRock2026, sec. 3.2]. Forces are per metre of thickness
-/// out of the plane of cutting.
-struct PeakStatisticsPrediction {
-  double amax = 0.0;   ///< [N/m] height of the highest peak
-  double amean = 0.0;  ///< [N/m] mean height of all peaks
-  double np1 = 0.0;    ///< [1/m] peaks above 75 % of amax, per metre of cut
-  double np23 = 0.0;   ///< [1/m] peaks of 25 % to 75 % of amax, per metre of cut
-  double np4 = 0.0;    ///< [1/m] peaks below 25 % of amax, per metre of cut
-};
-
+/// Forces are per metre of thickness out of the plane of cutting.
 struct Prediction {
-  PeakStatisticsPrediction x;  ///< cutting direction
-  PeakStatisticsPrediction y;  ///< axial direction, out of the rock
+  peaks::PeakRates x;  ///< cutting direction
+  peaks::PeakRates y;  ///< axial direction, out of the rock
   bool inside_training_range = false;
 };
 
@@ -146,4 +138,4 @@ Bounds widened_range(const Variable& input);
 /// conversion (1e-9 of the bound), comes back unchanged.
 CutConditions clamped_to_training_range(const Model& model, CutConditions conditions);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -11,7 +11,7 @@
 #include "base/json.hpp"
 #include "surrogate/net/json_place.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -280,4 +280,4 @@ void write_model(const std::filesystem::path& path, const Model& model) {
   base::write_whole(path, model_text(model));
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -1,7 +1,7 @@
 #pragma once
 /// The model file: `Model` as indented JSON that people can read and that reads back bit for bit. It is checked key by
 /// key, because a model that was cut short, edited by hand or made by another version must never end in a wrong force.
-/// Layout in docs/formats.md; the version rises whenever an old reader would misunderstand a new file.
+/// Layout in docs/reference/formats.md; the version rises whenever an old reader would misunderstand a new file.
 
 #include <filesystem>
 #include <string>
@@ -9,7 +9,7 @@
 
 #include "surrogate/net/model.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 inline constexpr const char* model_format = "bitrock-model";
 inline constexpr int model_format_version = 2;
@@ -32,4 +32,4 @@ Model read_model(const std::filesystem::path& path);
 /// Throws `base::SimulationError` when the file cannot be written.
 void write_model(const std::filesystem::path& path, const Model& model);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -9,7 +9,7 @@
 
 #include "base/errors.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -94,4 +94,4 @@ void forward(const Network& network, std::span<const double> input, std::span<do
           input.data(), output.data());
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

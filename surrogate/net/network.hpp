@@ -15,7 +15,7 @@
 #include "base/random.hpp"
 #include "surrogate/net/evaluation.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// **What** Layer k = 1..K maps a[k-1] to a[k]: rectified on the hidden layers, as `output` says on the last.
 /// **Equation** a[k] = max(0, W[k] a[k-1] + b[k]) for k < K, a[0] = input, a[K] = f(W[K] a[K-1] + b[K]) = output.
@@ -72,4 +72,4 @@ std::optional<OutputActivation> output_activation(std::string_view name);
 /// The network must satisfy `layers_problem` and have its `parameter_count`.
 void forward(const Network& network, std::span<const double> input, std::span<double> output);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

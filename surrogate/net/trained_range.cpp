@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -35,4 +35,4 @@ std::string beyond_range_in_words(const Variable& input, double low, double high
                      input.high, 100.0 * share, below > above ? "below" : "above");
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

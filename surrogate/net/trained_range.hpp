@@ -5,7 +5,7 @@
 
 #include "surrogate/net/model.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// How far the farther of two values in the unit of the input lies outside its training range, over the width of that
 /// range [1]; 0 inside. Infinite for a range without width.
@@ -15,4 +15,4 @@ double beyond_range(const Variable& input, double low, double high);
 /// asked; empty inside.
 std::string beyond_range_in_words(const Variable& input, double low, double high);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 void adam_step(const AdamOptions& options, AdamState& state, std::span<const double> gradient,
                std::span<double> parameters) {
@@ -19,4 +19,4 @@ void adam_step(const AdamOptions& options, AdamState& state, std::span<const dou
   }
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

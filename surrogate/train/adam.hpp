@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 struct AdamOptions {
   double learning_rate = 1e-3;  ///< [1] alpha; the article's value and Keras' default
@@ -34,4 +34,4 @@ struct AdamState {
 void adam_step(const AdamOptions& options, AdamState& state, std::span<const double> gradient,
                std::span<double> parameters);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

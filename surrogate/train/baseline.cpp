@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -40,4 +40,4 @@ Outputs predict(const Baseline& baseline, const TrainingRow& conditions) {
   return outputs;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

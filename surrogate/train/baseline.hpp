@@ -12,7 +12,7 @@
 
 #include "surrogate/train/data.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 struct Baseline {
   std::array<std::array<double, 3>, output_count> coefficients{};  ///< c_0, c_1, c_2 of each output
@@ -24,4 +24,4 @@ Baseline fit_baseline(std::span<const TrainingRow> rows);
 /// Never negative.
 Outputs predict(const Baseline& baseline, const TrainingRow& conditions);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -14,7 +14,7 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -194,4 +194,4 @@ std::vector<int> case_numbers(const TrainingData& data) {
   return numbers;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -11,7 +11,7 @@
 
 #include "surrogate/net/model.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 using Outputs = std::array<double, output_count>;  ///< in the order of `output_names`
 
@@ -54,4 +54,4 @@ CutConditions conditions_of(const TrainingRow& row);
 /// Each case number once, in the order of the rows.
 std::vector<int> case_numbers(const TrainingData& data);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

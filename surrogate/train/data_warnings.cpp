@@ -10,7 +10,7 @@
 #include "base/errors.hpp"
 #include "surrogate/train/scaling.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -135,4 +135,4 @@ void require_varied_inputs(std::span<const TrainingRow> train_rows, const std::s
                   file, train_rows.size(), seen));
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -9,7 +9,7 @@
 
 #include "surrogate/train/data.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// Of data for any use. One sentence a kind, with the first places.
 std::vector<std::string> warnings(const TrainingData& data);
@@ -21,4 +21,4 @@ std::vector<std::string> learning_warnings(const TrainingData& data);
 /// most random starts give none.
 void require_varied_inputs(std::span<const TrainingRow> train_rows, const std::string& file);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

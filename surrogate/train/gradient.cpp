@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -112,4 +112,4 @@ double mean_squared_error(const Network& network, const Batch& batch) {
   return sum / static_cast<double>(batch.targets.size());
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -7,7 +7,7 @@
 
 #include "surrogate/net/network.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// B rows of input and target, row by row.
 struct Batch {
@@ -41,4 +41,4 @@ double loss_and_gradient(const Network& network, const Batch& batch, GradientBuf
 /// L alone, over any number of rows; 0 for none.
 double mean_squared_error(const Network& network, const Batch& batch);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

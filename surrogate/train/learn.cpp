@@ -14,7 +14,7 @@
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/adam.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -202,4 +202,4 @@ OutputModel learn(const LearningTask& task, const TrainOptions& options, std::si
                   start.variable.name, dead, dead));
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

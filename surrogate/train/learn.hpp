@@ -10,7 +10,7 @@
 #include "surrogate/train/gradient.hpp"
 #include "surrogate/train/train.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// Scaled rows of one side of the split, for one output.
 struct LearningRows {
@@ -59,4 +59,4 @@ void smooth(int smoothing, int epoch, std::span<const double> parameters, std::s
 OutputModel learn(const LearningTask& task, const TrainOptions& options, std::size_t output, const OutputModel& start,
                   const EpochsDone& done);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unsupported/Eigen/SpecialFunctions>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -121,4 +121,4 @@ NoiseVerdict judge(const NoiseEvidence& evidence) {
   return judged;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -41,7 +41,7 @@
 #include <span>
 #include <vector>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// E[max |d_i|], in the unit of the standard errors; 0 for none.
 double expected_largest(std::span<const double> standard_errors);
@@ -87,4 +87,4 @@ inline constexpr double ratio_to_be_seen = 2.0;
 
 NoiseVerdict judge(const NoiseEvidence& evidence);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

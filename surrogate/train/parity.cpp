@@ -10,7 +10,7 @@
 #include "surrogate/train/scatter.hpp"
 #include "surrogate/train/split.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -217,4 +217,4 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
   return result;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

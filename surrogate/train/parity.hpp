@@ -13,7 +13,7 @@
 #include "surrogate/train/data.hpp"
 #include "surrogate/train/noise_floor.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// unseen: the model's training knew no such case.
 enum class CaseRole { train, validation, test, unseen };
@@ -88,4 +88,4 @@ enum class CaseNumbers {
 /// Throws `base::InputError` when the model has no finite answer for a case.
 Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers = CaseNumbers::as_in_training);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

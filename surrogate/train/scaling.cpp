@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -58,4 +58,4 @@ Variable with_wider_range(Variable kept, const Variable& seen) {
   return kept;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -14,7 +14,7 @@
 #include "surrogate/net/model.hpp"
 #include "surrogate/train/data.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// Whether its range is wider than the rounding of its numbers.
 bool varies(const Variable& input);
@@ -32,4 +32,4 @@ inline double scaled(const Variable& variable, double value) {
   return (value - variable.offset) / variable.scale;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

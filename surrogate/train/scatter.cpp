@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -35,4 +35,4 @@ double standard_error(const ScatterLaw& law, std::size_t output, double value, d
   return std::sqrt(law.phi[output] * shape(output, value, cut_length) / cuts);
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -11,14 +11,14 @@
 ///
 /// **Symbols** y [N/m] or [1/m], L length of cut [m], phi [1].
 /// **Source** overdispersion estimated from the pooled Pearson statistic [McCullaghNelder1989].
-/// **Validity** cases of two cuts or more; `docs/validation.md` compares the laws with the scatter seen.
+/// **Validity** cases of two cuts or more; `docs/results/validation.md` compares the laws with the scatter seen.
 
 #include <array>
 #include <span>
 
 #include "surrogate/train/data.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 struct ScatterLaw {
   std::array<double, output_count> phi{};  ///< [1], of a single cut
@@ -32,4 +32,4 @@ ScatterLaw scatter_law(std::span<const TrainingRow> means);
 /// value is `value`.
 double standard_error(const ScatterLaw& law, std::size_t output, double value, double cut_length, int cuts);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -10,7 +10,7 @@
 #include "surrogate/train/baseline.hpp"
 #include "surrogate/train/scatter.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -192,4 +192,4 @@ Search search(const TrainingData& data, const TrainOptions& options, const std::
   return result;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

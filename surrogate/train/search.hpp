@@ -20,7 +20,7 @@
 #include "base/progress.hpp"
 #include "surrogate/train/train.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 /// One kind of network, or a formula.
 struct Candidate {
@@ -64,4 +64,4 @@ inline constexpr double gain_asked_for = 3.0;
 Search search(const TrainingData& data, const TrainOptions& options, const std::vector<Candidate>& candidates,
               int folds, const base::ProgressCallback& progress = {});
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

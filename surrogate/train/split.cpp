@@ -9,7 +9,7 @@
 #include "base/errors.hpp"
 #include "base/random.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 Split split_cases(std::span<const int> cases, double train_fraction, bool shuffle, std::uint64_t seed) {
   if (!(train_fraction > 0.0 && train_fraction < 1.0)) {
@@ -44,4 +44,4 @@ bool contains(std::span<const int> ascending_cases, int case_number) {
   return std::binary_search(ascending_cases.begin(), ascending_cases.end(), case_number);
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -8,7 +8,7 @@
 
 #include "surrogate/train/data.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 struct Split {
   std::vector<int> train_cases;  ///< ascending case numbers
@@ -28,4 +28,4 @@ std::vector<TrainingRow> rows_of(std::span<const TrainingRow> rows, std::span<co
 /// Whether an ascending list contains the case.
 bool contains(std::span<const int> ascending_cases, int case_number);
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <mutex>
 #include <numeric>
 #include <span>
-#include <thread>
 
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
@@ -21,7 +18,7 @@
 #include "surrogate/train/scaling.hpp"
 #include "surrogate/train/scatter.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 namespace {
 
@@ -112,36 +109,16 @@ LearningTask learning_task(const TrainOptions& options, const ScatterLaw& law, c
   return task;
 }
 
-/// Trains all outputs, each thread taking the next one. Of several failures the first output's is reported, so that
-/// the message does not depend on timing: outputs are begun in order, and one that has begun runs to its end.
+/// Trains all outputs, each thread taking the next one.
 void train_outputs(const TrainOptions& options, const ScatterLaw& law, const Sides& sides,
                    const base::ProgressCallback& callback, Model& model) {
   const Model start = model;
   Progress progress(callback, options.starts * options.epochs);
-  std::array<std::exception_ptr, output_count> failures;
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> failed{false};
-  const auto work = [&] {
-    while (!failed) {
-      const std::size_t output = next++;
-      if (output >= output_count) break;
-      try {
-        model.outputs[output] = learn(learning_task(options, law, start, output, sides), options, output,
-                                      start.outputs[output], [&](int epochs) { progress.report(output, epochs); });
-      } catch (...) {
-        failures[output] = std::current_exception();
-        failed = true;
-      }
-    }
-  };
-  const auto wanted = static_cast<unsigned>(options.threads == 0 ? base::available_cores() : options.threads);
-  std::vector<std::jthread> helpers;
-  for (unsigned i = 1; i < std::min<unsigned>(wanted, output_count); ++i) helpers.emplace_back(work);
-  work();
-  helpers.clear();  // joins
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  base::for_each_index(output_count, options.threads == 0 ? base::available_cores() : options.threads, [&](int index) {
+    const auto output = static_cast<std::size_t>(index);
+    model.outputs[output] = learn(learning_task(options, law, start, output, sides), options, output,
+                                  start.outputs[output], [&](int epochs) { progress.report(output, epochs); });
+  });
 }
 
 /// The training cases again, into those to learn from and those that only say when to stop (`test_cases`).
@@ -152,6 +129,19 @@ Split validation_split(const Split& split, const TrainOptions& options, std::uin
 }
 
 }  // namespace
+
+TrainOptions as_in_the_article() {
+  return {};
+}
+
+TrainOptions recommended() {
+  TrainOptions options;
+  options.epochs = 600;
+  options.learning_rate = 3e-3;
+  options.starts = 3;
+  options.smoothing = 50;
+  return options;
+}
 
 void check_options(const TrainOptions& options) {
   const auto refuse = [](const std::string& what) { throw base::InputError(what); };
@@ -243,4 +233,4 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
   return model;
 }
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -1,7 +1,7 @@
 #pragma once
 /// From peak statistics to a `Model`: ten small networks, five for each force component, each learnt on its own
-/// [BitRock2026, sec. 3.2]. By default it follows the article's procedure: averages over the cuts of a case, scaled
-/// data, random 80/20 split, Adam, batches of 4, 50 epochs, mean squared error, the last epoch kept. Beyond it: the
+/// [BitRock2026, sec. 3.2]. `as_in_the_article` is its procedure: averages over the cuts of a case, scaled data, random
+/// 80/20 split, Adam, batches of 4, 50 epochs, mean squared error, the last epoch kept. Beyond it (`recommended`): the
 /// parameters may be averaged over epochs; cases kept for validation say which epoch was best and when to stop; several
 /// starts make a poor minimum unlikely. Comparing kinds of networks is `search.hpp`.
 
@@ -15,7 +15,7 @@
 #include "surrogate/train/data.hpp"
 #include "surrogate/train/split.hpp"
 
-namespace surrogate {
+namespace bitrock::surrogate {
 
 struct TrainOptions {
   std::vector<int> layers{3, 4, 6, 3, 1};  ///< of every network; first 3, last 1
@@ -40,6 +40,17 @@ struct TrainOptions {
   const Model* init_from = nullptr;
 };
 
+/// The article's procedure [BitRock2026, sec. 3.2]: 50 epochs, a single start, the last epoch kept.
+TrainOptions as_in_the_article();
+
+/// What `bitrock train` does unless it is told otherwise: 600 epochs at a rate of 0.003, three starts, parameters
+/// averaged over 50 epochs. The article's 50 epochs end before the networks have learnt what the data hold, and of the
+/// small networks many a start ends in a poor minimum; found by cross-validation (docs/decisions/0013).
+TrainOptions recommended();
+
+/// Patience that goes with `validation`, found with the above.
+inline constexpr int recommended_patience = 200;
+
 /// Throws `base::InputError` for options out of range and for a warm start that does not fit; the split is judged with
 /// the data.
 void check_options(const TrainOptions& options);
@@ -55,4 +66,4 @@ Model train(const TrainingData& data, const TrainOptions& options, const base::P
 Model train_on(const TrainingData& data, const Split& split, const TrainOptions& options,
                const base::ProgressCallback& progress = {});
 
-}  // namespace surrogate
+}  // namespace bitrock::surrogate

@@ -7,6 +7,8 @@
 
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;
@@ -132,8 +134,8 @@ TEST_F(Calibrate, WrongInputAndThePlan) {
   expect(target(""), 2, "names nothing to calibrate to");
   const std::string good = target("ucs_MPa = 60\n");
   expect(good + " --validate-seeds 2:5", 2, "seeds 1 to 2 are those of the calibration");
-  expect(good + " --validate-seeds 5", 2, "write first:last");
-  expect(good + " --validate-seeds ''", 2, "write first:last");
+  expect(good + " --validate-seeds 2", 2, "seeds 1 to 2 are those of the calibration");
+  expect(good + " --validate-seeds ''", 2, "--validate-seeds");
   expect(good + " -o " + good, 2, "would be overwritten");
   expect(good + " -o " + path("start.toml"), 2, "would be overwritten");
   base::write_whole(path("j.csv"), "a,b\n1,2\n");

@@ -15,6 +15,8 @@
 #include "tests/end_to_end/program.hpp"
 #include "tests/hostile_hdf5.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

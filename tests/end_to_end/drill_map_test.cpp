@@ -10,6 +10,8 @@
 #include "base/csv.hpp"
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::json, program::run;
@@ -127,7 +129,7 @@ TEST_F(DrillStudies, MapRefusesWrongRanges) {
   refused(map + " --hook-load-kN nan", "write lowest:highest:count");
   refused(map + " --rotation-rpm 0:140:3", "must be from 0.1 to 500");
   refused(map + " --rotation-rpm 0", "must be from 0.1 to 500");
-  refused(map + " --seeds 3:1", "write first:last");
+  refused(map + " --seeds 3:1", "'3:1' runs backwards");
   refused(map + " --hook-load-kN 5:38:900 --rotation-rpm 20:140:900", "810000 runs (at most 100000)");
   refused(map + " --picture map.svg", "must end in .png or .pdf");
   refused(map + " --hook-load-kN 15 --picture " + path("map.png"), "at least two hook loads and two speeds");
@@ -171,8 +173,8 @@ TEST_F(DrillStudies, CompareWritesThreeRunsASeedAndItsTables) {
 TEST_F(DrillStudies, CompareRefusesWhatItCannotCompare) {
   const std::string compare = "drill compare " + path("case.toml") + " -o " + path("c");
   refused(compare, "--model");
-  refused(compare + model + " --seeds 5", "write first:last");
-  refused(compare + model + " --seeds 1:5000", "1000 at most");
+  refused(compare + model + " --seeds 5x", "'5x' is no seed");
+  refused(compare + model + " --seeds 1:5000", "more than 1000 seeds");
   std::string text = short_case();
   text.replace(text.find("source = \"bit\""), 14, "source = \"none\"");
   base::write_whole(path("none.toml"), text);

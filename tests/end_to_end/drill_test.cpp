@@ -5,6 +5,8 @@
 #include "tests/end_to_end/program.hpp"
 #include "tests/export/mixed_model.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::json, program::run;

@@ -3,6 +3,8 @@
 
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;
@@ -198,8 +200,8 @@ TEST_F(Errors, RangesInFlagsHoldDecimalNumbersOnly) {
        {"1e:2:3", "0x14:30:2", "10:20:3x", "10:20:0x3", "10:nan:3", "10:20", "10:20:3:4", "10,5", "''", "10:20:1e1"}) {
     expect(map + "--hook-load-kN " + text, 2, "write lowest:highest:count");
   }
-  for (const char* text : {"1:0x3", "1:3x", "1", "1:2:3", "-1:2", "1:1e1", "1:99999999999", "3:1", "1:2000"}) {
-    expect(map + "--seeds " + text, 2, "write first:last");
+  for (const char* text : {"1:0x3", "1:3x", "1,x", "1:2:3", "-1:2", "1:1e1", "1:99999999999", "3:1", "1:2000"}) {
+    expect(map + "--seeds " + text, 2, "e.g. 1,2,5:10");
   }
   const std::string study = file("study.toml", program::small_study());
   for (const char* text : {"0x1/2", "1/2x", "1", "1/2/3", "0/2", "3/2", "'1 /2'", "-1/2"}) {

@@ -10,6 +10,8 @@
 #include "tests/end_to_end/program.hpp"
 #include "tests/export/mixed_model.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

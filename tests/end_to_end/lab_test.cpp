@@ -8,6 +8,8 @@
 
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

@@ -9,6 +9,8 @@
 #include "base/hdf5_file.hpp"
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

@@ -10,6 +10,8 @@
 #include "base/random.hpp"
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

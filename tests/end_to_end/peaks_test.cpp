@@ -3,6 +3,8 @@
 
 #include "program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

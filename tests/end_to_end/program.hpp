@@ -14,6 +14,8 @@
 #include "base/files.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace program {
 
 struct Outcome {

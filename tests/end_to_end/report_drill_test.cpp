@@ -5,6 +5,8 @@
 #include "base/child_process.hpp"
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

@@ -3,6 +3,8 @@
 
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

@@ -7,6 +7,8 @@
 
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,6 +12,8 @@
 #include "base/parallel.hpp"
 #include "tests/end_to_end/program.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using program::run;

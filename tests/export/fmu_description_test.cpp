@@ -3,8 +3,10 @@
 #include <set>
 
 #include "runtime/bit/bit_force.hpp"
-#include "runtime/export/fmu/fmu_file.hpp"
+#include "runtime/fmu/fmu_file.hpp"
 #include "tests/export/fmu_fixture.hpp"
+
+using namespace bitrock;
 
 namespace {
 

@@ -14,6 +14,8 @@
 #include "tests/export/fmu_importer.hpp"
 #include "tests/export/mixed_model.hpp"
 
+using namespace bitrock;
+
 namespace fmu_test {
 
 namespace fs = std::filesystem;

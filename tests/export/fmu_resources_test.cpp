@@ -6,6 +6,8 @@
 #include "base/text.hpp"
 #include "tests/export/fmu_fixture.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using fmu_test::Fmu;

@@ -8,10 +8,12 @@
 #include "base/text.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/bit/constant_speed.hpp"
-#include "runtime/export/fmu/fmu_file.hpp"
+#include "runtime/fmu/fmu_file.hpp"
 #include "runtime/laws/progression_angle.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "tests/export/fmu_fixture.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -163,8 +165,8 @@ std::vector<Outputs> swung(Instance& instance, const Swing& swing, int steps_a_m
   return seen;
 }
 
-// The table of docs/formats.md: how far two runs with other steps are apart while the inputs change, for the shipped
-// networks and the shipped bit.
+// The table of docs/reference/formats.md: how far two runs with other steps are apart while the inputs change, for the
+// shipped networks and the shipped bit.
 TEST_F(Fmu, OtherStepsGiveNearlyTheSameForceWhileInputsChange) {
   const fs::path folder = dir / "shipped";
   const surrogate::Model shipped =

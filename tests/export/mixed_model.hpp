@@ -8,6 +8,8 @@
 #include "base/random.hpp"
 #include "surrogate/net/model.hpp"
 
+using namespace bitrock;
+
 namespace mixed {
 
 /// Weights as `initialise` draws them, biases between -0.2 and 0.5.

@@ -7,6 +7,8 @@
 #include "surrogate/net/model_file.hpp"
 #include "tests/export/mixed_model.hpp"
 
+using namespace bitrock;
+
 int main(int count, char** arguments) {
   const std::string_view what = count == 3 ? arguments[1] : "";
   if (what == "write") {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "runtime/export/bitrock_runtime.h"
+#include "runtime/core/bitrock_runtime.h"
 
 #define CHECK(condition)                                                  \
   if (!(condition)) {                                                     \

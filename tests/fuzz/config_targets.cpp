@@ -1,10 +1,12 @@
 // Input files in TOML.
-#include "campaigns/study.hpp"
-#include "dem2d/calibrate/target.hpp"
 #include "dem2d/cut/cut_case.hpp"
 #include "runtime/bit/bit.hpp"
 #include "runtime/drillstring/drill_case.hpp"
+#include "studies/calibrate/target.hpp"
+#include "studies/campaign/study.hpp"
 #include "tests/fuzz/targets.hpp"
+
+using namespace bitrock;
 
 namespace fuzz {
 
@@ -44,9 +46,9 @@ std::vector<Target> config_targets() {
        .read =
            [](std::string_view bytes) {
              read_as_file(bytes, "study.toml", [](const std::string& path) {
-               const campaigns::Study study = campaigns::read_study(path);
-               campaigns::warnings(study);
-               campaigns::resolved_toml(study);
+               const studies::Study study = studies::read_study(path);
+               studies::warnings(study);
+               studies::resolved_toml(study);
              });
            },
        .seeds = {beside_rock("campaigns/demo.toml", "rocks/article.toml"),
@@ -54,7 +56,7 @@ std::vector<Target> config_targets() {
       {.name = "target_toml",
        .read =
            [](std::string_view bytes) {
-             read_as_file(bytes, "target.toml", [](const std::string& path) { dem2d::read_target(path); });
+             read_as_file(bytes, "target.toml", [](const std::string& path) { studies::read_target(path); });
            },
        .seeds = {beside_rock("campaigns/rocks/targets/article.toml", "../start.toml")}},
       {.name = "bit_toml",

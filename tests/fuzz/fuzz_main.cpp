@@ -6,6 +6,8 @@
 #include "base/errors.hpp"
 #include "tests/fuzz/targets.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 const fuzz::Target& chosen() {

@@ -11,6 +11,8 @@
 #include "base/random.hpp"
 #include "tests/fuzz/targets.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 class Reader : public testing::TestWithParam<fuzz::Target> {};

@@ -1,14 +1,16 @@
 // Results in HDF5, as somebody who knows the checksum could make them.
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "dem2d/output/frame_file.hpp"
-#include "dem2d/output/run_file.hpp"
-#include "dem2d/specimen/specimen_file.hpp"
+#include "dem2d/files/frame_file.hpp"
+#include "dem2d/files/run_file.hpp"
+#include "dem2d/files/specimen_file.hpp"
 #include "runtime/drillstring/drill_file.hpp"
 #include "runtime/drillstring/drill_run.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/scratch.hpp"
 #include "tests/unit/output_fixtures.hpp"
+
+using namespace bitrock;
 
 namespace fuzz {
 

@@ -6,12 +6,14 @@
 #include "base/random.hpp"
 #include "base/text.hpp"
 #include "runtime/bit/bit_force.hpp"
-#include "runtime/export/bitrock_runtime.h"
-#include "runtime/export/fmu/bit_slave.hpp"
-#include "runtime/export/fmu/fmu_file.hpp"
-#include "runtime/export/fmu/resource.hpp"
+#include "runtime/core/bitrock_runtime.h"
+#include "runtime/fmu/bit_slave.hpp"
+#include "runtime/fmu/fmu_file.hpp"
+#include "runtime/fmu/resource.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
+
+using namespace bitrock;
 
 namespace fuzz {
 

@@ -1,15 +1,17 @@
 // Tables, the model file, and ranges in flags.
 #include "base/csv.hpp"
-#include "campaigns/accepted.hpp"
-#include "campaigns/features.hpp"
-#include "cli/ranges.hpp"
-#include "dem2d/calibrate/journal.hpp"
-#include "dem2d/specimen/discs_file.hpp"
+#include "base/value_lists.hpp"
+#include "dem2d/files/discs_file.hpp"
 #include "peaks/parts.hpp"
 #include "peaks/statistics.hpp"
+#include "studies/calibrate/journal.hpp"
+#include "studies/campaign/accepted.hpp"
+#include "studies/campaign/features.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/data.hpp"
 #include "tests/fuzz/targets.hpp"
+
+using namespace bitrock;
 
 namespace fuzz {
 
@@ -61,7 +63,7 @@ std::vector<Target> table_targets() {
       {.name = "features_csv",
        .read =
            [](std::string_view bytes) {
-             read_as_file(bytes, "features.csv", [](const std::string& path) { campaigns::read_features(path); });
+             read_as_file(bytes, "features.csv", [](const std::string& path) { studies::read_features(path); });
            },
        .seeds = {head_of(shipped("campaigns/paper240/features.csv"), 8)}},
       {.name = "training_csv",
@@ -86,7 +88,7 @@ std::vector<Target> table_targets() {
        .read =
            [](std::string_view bytes) {
              read_as_file(bytes, "rock.toml.journal.csv",
-                          [](const std::string& path) { dem2d::Journal(path, "inputs of a test"); });
+                          [](const std::string& path) { studies::Journal(path, "inputs of a test"); });
            },
        .seeds = {journal()}},
       {.name = "model_json",
@@ -101,10 +103,10 @@ std::vector<Target> table_targets() {
        .read =
            [](std::string_view bytes) {
              const std::string text(bytes);
-             cli::value_range("--flag", text, 0.0, 1e6);
-             if (text.find('.') == std::string::npos) cli::seed_range("--seeds", text);
+             base::value_range("--flag", text, 0.0, 1e6);
+             if (text.find('.') == std::string::npos) base::seeds_text(base::seeds_in("--seeds", text));
            },
-       .seeds = {"0.5:38:12", "7.5"}},
+       .seeds = {"0.5:38:12", "7.5", "1,2,5:10"}},
   };
 }
 

@@ -8,6 +8,8 @@
 #include "base/files.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace fuzz {
 
 namespace {

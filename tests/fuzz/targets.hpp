@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+using namespace bitrock;
+
 namespace fuzz {
 
 struct Target {

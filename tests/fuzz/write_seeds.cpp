@@ -5,6 +5,8 @@
 #include "base/files.hpp"
 #include "tests/fuzz/targets.hpp"
 
+using namespace bitrock;
+
 int main(int count, char** arguments) {
   if (count != 2) return 2;
   for (const fuzz::Target& target : fuzz::all_targets()) {

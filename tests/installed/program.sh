@@ -18,7 +18,7 @@ for file in paper240/model.json paper240/features.csv paper240/features_mean.csv
   bits/pdc15.toml cuts/example.toml drill/normal.toml rocks/article.toml rocks/targets/article.toml; do
   [ -s "$shipped/$file" ] || { echo "not installed: $file"; exit 1; }
 done
-[ -s "$scratch/moved to/share/doc/bitrock/docs/formats.md" ] || { echo "not installed: docs/formats.md"; exit 1; }
+[ -s "$scratch/moved to/share/doc/bitrock/docs/reference/formats.md" ] || { echo "not installed: docs/reference/formats.md"; exit 1; }
 
 mkdir "$scratch/work"
 cd "$scratch/work"

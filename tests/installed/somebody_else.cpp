@@ -5,6 +5,8 @@
 #include "dem2d/cut/run_cut.hpp"
 #include "peaks/statistics.hpp"
 
+using namespace bitrock;
+
 int main() {
   dem2d::CutCase cut;
   cut.cutter_speed = 1.0;        // m/s

@@ -4,11 +4,13 @@
 #include <algorithm>
 
 #include "base/files.hpp"
-#include "dem2d/output/run_file.hpp"
-#include "dem2d/output/snapshot.hpp"
-#include "dem2d/specimen/specimen_file.hpp"
+#include "dem2d/files/run_file.hpp"
+#include "dem2d/files/specimen_file.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/scratch.hpp"
+#include "views/cut/snapshot.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -168,7 +170,7 @@ TEST(RunFile, RoundTripAndPicture) {
   EXPECT_EQ(file.seed, 3u);
   EXPECT_TRUE(dem2d::read_complete_run(path, dem2d::cut_hash(cut, 3)).has_value());
   EXPECT_FALSE(dem2d::read_complete_run(path, dem2d::cut_hash(cut, 4)).has_value());
-  EXPECT_EQ(dem2d::draw_snapshot(file).substr(1, 3), "PNG");
+  EXPECT_EQ(views::draw_snapshot(file).substr(1, 3), "PNG");
 
   const std::string bytes = base::read_whole(path);
   base::write_whole(path, bytes.substr(0, bytes.size() - 1000));

@@ -9,6 +9,8 @@
 #include "runtime/drillstring/matched_source.hpp"
 #include "surrogate/net/model_file.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using runtime::DrillCase, runtime::DrillRun, runtime::DrillSummary, runtime::SourceKind;

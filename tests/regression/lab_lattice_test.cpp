@@ -7,6 +7,8 @@
 #include "dem2d/lab/strain.hpp"
 #include "tests/unit/lab_specimens.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using dem2d::LabTest;

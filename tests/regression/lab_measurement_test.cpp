@@ -13,6 +13,8 @@
 #include "dem2d/lab/loading_rate.hpp"
 #include "tests/unit/lab_specimens.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using dem2d::LabTest;
@@ -245,7 +247,7 @@ TEST(LoadFrame, TakesDampingAndPlatensFromSettingsAndRock) {
     settings.local_damping = 0.23;
     settings.platen_friction = 0.31;
     const dem2d::LoadFrame frame = dem2d::make_load_frame(test, specimen, settings);
-    EXPECT_EQ(frame.world.local_damping, 0.23);
+    EXPECT_EQ(frame.world.materials.local_damping, 0.23);
     EXPECT_EQ(frame.world.boundaries.size(), test == LabTest::tension ? 0u : 2u);
     for (const dem2d::Boundary& platen : frame.world.boundaries) {
       EXPECT_EQ(platen.friction, 0.31);

@@ -9,10 +9,12 @@
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
 #include "base/stop.hpp"
-#include "dem2d/lab/lab_picture.hpp"
 #include "dem2d/lab/load_frame.hpp"
 #include "dem2d/lab/loading_rate.hpp"
 #include "tests/unit/lab_specimens.hpp"
+#include "views/lab/lab_picture.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -254,8 +256,8 @@ TEST(LabTest, WrongSettingsAreRefused) {
 
 TEST(LabPicture, IsAPng) {
   const std::vector<dem2d::LabRun> runs{test_core(LabTest::tension)};
-  EXPECT_EQ(dem2d::draw_broken_core(runs[0], "rock").substr(1, 3), "PNG");
-  EXPECT_EQ(dem2d::draw_curves(runs, "rock").substr(1, 3), "PNG");
+  EXPECT_EQ(views::draw_broken_core(runs[0], "rock").substr(1, 3), "PNG");
+  EXPECT_EQ(views::draw_curves(runs, "rock").substr(1, 3), "PNG");
 }
 
 }  // namespace

@@ -10,11 +10,13 @@
 #include <vector>
 
 #include "base/text.hpp"
-#include "dem2d/calibrate/laboratory.hpp"
 #include "dem2d/cut/run_cut.hpp"
 #include "dem2d/lab/lab_test.hpp"
 #include "dem2d/specimen/genesis.hpp"
 #include "dem2d/step/physics_version.hpp"
+#include "studies/calibrate/laboratory.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -29,7 +31,7 @@ class Bits {
   }
   void add(const dem2d::Crack& crack) {
     for (const double value : {crack.time, crack.x, crack.y, crack.normal_angle, crack.length}) add(value);
-    for (const int value : {crack.mode, crack.disc1, crack.disc2}) add(value);
+    for (const int value : {static_cast<int>(crack.mode), crack.disc1, crack.disc2}) add(value);
   }
   std::string fingerprint() const { return base::fingerprint_text(bytes_); }
 
@@ -185,8 +187,8 @@ TEST(PinnedBits, OfACoreInCompressionAndInTension) {
     settings.height = core.height;
     return bits_of(dem2d::run_lab_test(test, core, settings));
   };
-  expect_pinned(pin, dem2d::laboratory_version, bits(dem2d::LabTest::ucs), bits(dem2d::LabTest::tension),
-                "a laboratory test", "laboratory_version", "dem2d/calibrate/laboratory.hpp");
+  expect_pinned(pin, studies::laboratory_version, bits(dem2d::LabTest::ucs), bits(dem2d::LabTest::tension),
+                "a laboratory test", "laboratory_version", "studies/calibrate/laboratory.hpp");
 }
 
 TEST(PinnedBits, AreThoseOfEveryVectorUnitAndNumberOfThreads) {

@@ -16,6 +16,8 @@
 #include "dem2d/step/step.hpp"
 #include "tests/small_cuts.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 constexpr double start_gap = 1e-6;  ///< as in run_cut.cpp [m]

@@ -15,6 +15,8 @@
 #include "tests/small_cuts.hpp"
 #include "tests/unit/small_worlds.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 /// 12 mm in a bed of 30 x 9 mm with grains of 0.8 mm: some 400 discs.
@@ -169,10 +171,10 @@ TEST(Window, HoldsAtItsLowEndWhatIsStillInItsPlaceAndBooksWhatItTakes) {
     d.spin[i] = 30.0;
   }
   world.joints = {.elements = world.joints.elements};
-  world.joint_forces.assign(1, {});
+  world.room.joint_forces.assign(1, {});
   world.contacts = {};
   world.boundaries.clear();
-  const double before = kinetic_energy(d), removed = world.energy.removed;
+  const double before = kinetic_energy(d), removed = world.ledger.accounts.removed;
   dem2d::advance_window(window, world, 10e-3);
   int held = 0, free = 0;
   const double column = dem2d::column_width(d);
@@ -183,7 +185,7 @@ TEST(Window, HoldsAtItsLowEndWhatIsStillInItsPlaceAndBooksWhatItTakes) {
   }
   EXPECT_GT(held, 1);
   EXPECT_GT(free, 1);
-  EXPECT_NEAR(world.energy.removed - removed, before - kinetic_energy(d), 1e-12 * before);
+  EXPECT_NEAR(world.ledger.accounts.removed - removed, before - kinetic_energy(d), 1e-12 * before);
 }
 
 TEST(Window, AGrainThatFlewAheadIsNotOverlaidByRockThatEnters) {

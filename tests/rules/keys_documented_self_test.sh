@@ -4,8 +4,8 @@ set -eu
 rule=$(dirname "$0")/keys_documented.sh
 house=$(mktemp -d)
 trap 'rm -rf "$house"' EXIT
-mkdir -p "$house/base" "$house/campaigns" "$house/dem2d" "$house/runtime" "$house/docs"
-printf '# Files\n## Input: TOML\n| `cut.depth_mm`, `speed_m_per_s` | of the cutter |\nnot a table: rake_deg\n## run.h5\n| `time_s` | |\n' >"$house/docs/formats.md"
+mkdir -p "$house/base" "$house/studies" "$house/dem2d" "$house/runtime" "$house/docs/reference"
+printf '# Files\n## Input: TOML\n| `cut.depth_mm`, `speed_m_per_s` | of the cutter |\nnot a table: rake_deg\n## run.h5\n| `time_s` | |\n' >"$house/docs/reference/formats.md"
 echo 'fill({{"depth_mm", &depth, mm}, {"speed_m_per_s", &speed, 1.0}});' >"$house/dem2d/cut.cpp"
 "$rule" "$house"
 for key in rake_deg time_s depth; do

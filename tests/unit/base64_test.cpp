@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace bitrock;
+
 namespace {
 
 // Test vectors of RFC 4648, section 10.

@@ -6,20 +6,22 @@
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "dem2d/calibrate/calibrated_rock.hpp"
-#include "dem2d/calibrate/journal.hpp"
-#include "dem2d/calibrate/laboratory.hpp"
+#include "studies/calibrate/calibrated_rock.hpp"
+#include "studies/calibrate/journal.hpp"
+#include "studies/calibrate/laboratory.hpp"
 #include "tests/scratch.hpp"
+
+using namespace bitrock;
 
 namespace {
 
-using dem2d::Property;
+using studies::Property;
 
 const std::string rock_line = "[start]\nrock = \"" BITROCK_SOURCE_DIR "/campaigns/rocks/article.toml\"\n";
 
 std::string target_message(const std::string& text) {
   try {
-    dem2d::parse_target(text, "target.toml");
+    studies::parse_target(text, "target.toml");
   } catch (const base::InputError& error) {
     return error.what();
   }
@@ -29,26 +31,26 @@ std::string target_message(const std::string& text) {
 TEST(CalibrationTarget, TheShippedTargetsRead) {
   for (const char* name : {"article", "granite", "limestone", "sandstone"}) {
     const auto target =
-        dem2d::read_target(std::string(BITROCK_SOURCE_DIR) + "/campaigns/rocks/targets/" + name + ".toml");
-    for (const Property property : dem2d::all_properties) {
+        studies::read_target(std::string(BITROCK_SOURCE_DIR) + "/campaigns/rocks/targets/" + name + ".toml");
+    for (const Property property : studies::all_properties) {
       // the granite's tensile strength is out of reach, as its target says
       const bool left_out = std::string(name) == "granite" && property == Property::tensile_strength;
-      EXPECT_EQ(dem2d::is_wanted(target, property), !left_out) << name;
+      EXPECT_EQ(studies::is_wanted(target, property), !left_out) << name;
     }
   }
 }
 
 TEST(CalibrationTarget, UnitsAndDefaults) {
-  const auto target = dem2d::parse_target("[target]\nname = \"a\"\nucs_MPa = 70.5\nyoungs_modulus_GPa = 1.48\n" +
-                                              rock_line + "[calibration]\nseeds = 3\ntolerance_percent = 2\n",
-                                          "target.toml");
-  EXPECT_DOUBLE_EQ(target.wanted[dem2d::index_of(Property::ucs)], 70.5e6);
-  EXPECT_DOUBLE_EQ(target.wanted[dem2d::index_of(Property::youngs_modulus)], 1.48e9);
-  EXPECT_FALSE(dem2d::is_wanted(target, Property::tensile_strength));
-  EXPECT_FALSE(dem2d::is_wanted(target, Property::poissons_ratio));
+  const auto target = studies::parse_target("[target]\nname = \"a\"\nucs_MPa = 70.5\nyoungs_modulus_GPa = 1.48\n" +
+                                                rock_line + "[calibration]\nseeds = 3\ntolerance_percent = 2\n",
+                                            "target.toml");
+  EXPECT_DOUBLE_EQ(target.wanted[studies::index_of(Property::ucs)], 70.5e6);
+  EXPECT_DOUBLE_EQ(target.wanted[studies::index_of(Property::youngs_modulus)], 1.48e9);
+  EXPECT_FALSE(studies::is_wanted(target, Property::tensile_strength));
+  EXPECT_FALSE(studies::is_wanted(target, Property::poissons_ratio));
   EXPECT_EQ(target.settings.scouting_seeds, 3);  // never more than seeds
-  EXPECT_DOUBLE_EQ(dem2d::tolerance_of(target, Property::ucs), 0.02);
-  EXPECT_DOUBLE_EQ(dem2d::tolerance_of(target, Property::poissons_ratio), 0.005);
+  EXPECT_DOUBLE_EQ(studies::tolerance_of(target, Property::ucs), 0.02);
+  EXPECT_DOUBLE_EQ(studies::tolerance_of(target, Property::poissons_ratio), 0.005);
   EXPECT_DOUBLE_EQ(target.start.joint_modulus, dem2d::read_rock(target.rock_file).joint_modulus);
 }
 
@@ -93,7 +95,7 @@ TEST(CalibrationTarget, ATargetInAnotherUnitIsRefusedWithIt) {
 
 TEST(CalibrationTarget, WhatDiscsInTwoDimensionsDoNotReachIsWarnedOf) {
   const auto warned = [](const std::string& numbers) {
-    return dem2d::warnings(dem2d::parse_target("[target]\nname = \"a\"\n" + numbers + rock_line, "target.toml"));
+    return dem2d::warnings(studies::parse_target("[target]\nname = \"a\"\n" + numbers + rock_line, "target.toml"));
   };
   EXPECT_TRUE(warned("ucs_MPa = 70\ntensile_strength_MPa = 7\npoissons_ratio = 0.25\n").empty());
   const auto round = warned("poissons_ratio = 0.4\n");
@@ -109,10 +111,10 @@ TEST(Micro, GoesIntoTheRockWithWhatBelongsToIt) {
   rock.contact_modulus = 2 * rock.joint_modulus;
   rock.tensile_strength_deviation = 1e6;
   rock.residual_cohesion = 5e6;
-  dem2d::Micro micro = dem2d::micro_of(rock);
+  studies::Micro micro = studies::micro_of(rock);
   for (double& value : micro) value *= 3.0;
-  const dem2d::Rock changed = dem2d::with_micro(rock, micro);
-  EXPECT_EQ(dem2d::micro_of(changed), micro);
+  const dem2d::Rock changed = studies::with_micro(rock, micro);
+  EXPECT_EQ(studies::micro_of(changed), micro);
   EXPECT_DOUBLE_EQ(changed.contact_modulus, 2 * changed.joint_modulus);
   EXPECT_DOUBLE_EQ(changed.contact_stiffness_ratio, 7.5);
   EXPECT_DOUBLE_EQ(changed.tensile_strength_deviation, 3e6);
@@ -124,7 +126,7 @@ TEST(Micro, UnchangedLeavesEveryCompanionBitForBit) {
   dem2d::Rock rock;
   rock.contact_modulus = 1e9 / 3.0;
   rock.residual_cohesion = 1e6 / 7.0;
-  const dem2d::Rock same = dem2d::with_micro(rock, dem2d::micro_of(rock));
+  const dem2d::Rock same = studies::with_micro(rock, studies::micro_of(rock));
   EXPECT_EQ(same.contact_modulus, rock.contact_modulus);
   EXPECT_EQ(same.residual_cohesion, rock.residual_cohesion);
 }
@@ -140,7 +142,7 @@ std::string rock_message(dem2d::Rock rock) {
 }
 
 TEST(Micro, WhatBelongsToAParameterStaysWithinTheRangesOfARockFile) {
-  using enum dem2d::MicroParameter;
+  using enum studies::MicroParameter;
   dem2d::Rock rock;
   rock.cohesion_deviation = 0.5 * rock.cohesion;
   rock.tensile_strength_deviation = 0.5 * rock.tensile_strength;
@@ -148,64 +150,64 @@ TEST(Micro, WhatBelongsToAParameterStaysWithinTheRangesOfARockFile) {
   rock.contact_stiffness_ratio = 0.5;
   rock.friction = 0.5;
   rock.contact_friction = 5.0;
-  dem2d::Micro micro = dem2d::micro_of(rock);
-  micro[dem2d::index_of(cohesion)] = 56.73e6;
-  micro[dem2d::index_of(stiffness_ratio)] = 2.963;
-  micro[dem2d::index_of(friction)] = 2.0;
-  const dem2d::Rock changed = dem2d::with_micro(rock, micro);
+  studies::Micro micro = studies::micro_of(rock);
+  micro[studies::index_of(cohesion)] = 56.73e6;
+  micro[studies::index_of(stiffness_ratio)] = 2.963;
+  micro[studies::index_of(friction)] = 2.0;
+  const dem2d::Rock changed = studies::with_micro(rock, micro);
   EXPECT_DOUBLE_EQ(changed.cohesion_deviation, 28.36e6);  // half is 28.365, to four digits 28.37
   EXPECT_EQ(changed.contact_stiffness_ratio, 0.3);        // in proportion 0.148
   EXPECT_EQ(changed.contact_friction, 10.0);              // in proportion 20
   EXPECT_EQ(rock_message(changed), "accepted");
 
   for (int digits = 1000; digits < 10000; digits += 7) {
-    micro[dem2d::index_of(cohesion)] = dem2d::rounded(cohesion, digits * 1e4);
-    micro[dem2d::index_of(tensile_strength)] = dem2d::rounded(tensile_strength, digits * 1e3);
-    micro[dem2d::index_of(stiffness_ratio)] = dem2d::rounded(stiffness_ratio, 1.0 + digits * 9e-4);
-    ASSERT_EQ(rock_message(dem2d::with_micro(rock, micro)), "accepted");
+    micro[studies::index_of(cohesion)] = studies::rounded(cohesion, digits * 1e4);
+    micro[studies::index_of(tensile_strength)] = studies::rounded(tensile_strength, digits * 1e3);
+    micro[studies::index_of(stiffness_ratio)] = studies::rounded(stiffness_ratio, 1.0 + digits * 9e-4);
+    ASSERT_EQ(rock_message(studies::with_micro(rock, micro)), "accepted");
   }
   rock.joint_stiffness_ratio = 0.3;
   rock.contact_stiffness_ratio = 900.0;
   rock.contact_modulus = 9e14;  // 9e5 GPa
-  micro[dem2d::index_of(effective_modulus)] *= 3.0;
-  EXPECT_EQ(dem2d::with_micro(rock, micro).contact_stiffness_ratio, 1000.0);
-  EXPECT_EQ(rock_message(dem2d::with_micro(rock, micro)), "accepted");
+  micro[studies::index_of(effective_modulus)] *= 3.0;
+  EXPECT_EQ(studies::with_micro(rock, micro).contact_stiffness_ratio, 1000.0);
+  EXPECT_EQ(rock_message(studies::with_micro(rock, micro)), "accepted");
 }
 
 TEST(Micro, NothingHasAProportionToZeroFriction) {
   dem2d::Rock rock;
   rock.friction = 0.0;
   rock.contact_friction = 0.4;
-  dem2d::Micro micro = dem2d::micro_of(rock);
-  micro[dem2d::index_of(dem2d::MicroParameter::friction)] = 0.1;
-  const dem2d::Rock changed = dem2d::with_micro(rock, micro);
+  studies::Micro micro = studies::micro_of(rock);
+  micro[studies::index_of(studies::MicroParameter::friction)] = 0.1;
+  const dem2d::Rock changed = studies::with_micro(rock, micro);
   EXPECT_EQ(changed.friction, 0.1);
   EXPECT_EQ(changed.contact_friction, 0.4);
 }
 
 TEST(Micro, RoundedHasFourDigitsInFileUnits) {
-  using enum dem2d::MicroParameter;
-  EXPECT_DOUBLE_EQ(dem2d::rounded(effective_modulus, 1.234567e9), 1.235e9);
-  EXPECT_DOUBLE_EQ(dem2d::rounded(tensile_strength, 0.99996e6), 1.0e6);
-  EXPECT_DOUBLE_EQ(dem2d::rounded(cohesion, 123.456e6), 123.5e6);
-  EXPECT_EQ(dem2d::rounded(cohesion, 0.0), 0.0);
+  using enum studies::MicroParameter;
+  EXPECT_DOUBLE_EQ(studies::rounded(effective_modulus, 1.234567e9), 1.235e9);
+  EXPECT_DOUBLE_EQ(studies::rounded(tensile_strength, 0.99996e6), 1.0e6);
+  EXPECT_DOUBLE_EQ(studies::rounded(cohesion, 123.456e6), 123.5e6);
+  EXPECT_EQ(studies::rounded(cohesion, 0.0), 0.0);
 }
 
 /// A calibration that ended after one evaluation, with numbers that are no round ones.
 struct Ended {
-  dem2d::CalibrationTarget target = dem2d::parse_target(
+  studies::CalibrationTarget target = studies::parse_target(
       "[target]\nname = \"soft\\nrock\"\nucs_MPa = 70.5\npoissons_ratio = 0.23\n" + rock_line, "target.toml");
-  dem2d::Calibration calibration;
+  studies::Calibration calibration;
 
   Ended() {
-    using enum dem2d::MicroParameter;
-    dem2d::Evaluation& best = calibration.best;
-    best.micro = dem2d::micro_of(target.start);
-    best.micro[dem2d::index_of(cohesion)] = dem2d::rounded(cohesion, 61.23456e6);
-    best.micro[dem2d::index_of(stiffness_ratio)] = dem2d::rounded(stiffness_ratio, 3.14159265);
-    best.measured[dem2d::index_of(Property::ucs)] = {12, 69.9e6, 2.4e6, 0.69e6};
-    best.measured[dem2d::index_of(Property::poissons_ratio)] = {12, 0.2312, 0.004, 0.0012};
-    calibration.end = dem2d::SearchEnd::reached;
+    using enum studies::MicroParameter;
+    studies::Evaluation& best = calibration.best;
+    best.micro = studies::micro_of(target.start);
+    best.micro[studies::index_of(cohesion)] = studies::rounded(cohesion, 61.23456e6);
+    best.micro[studies::index_of(stiffness_ratio)] = studies::rounded(stiffness_ratio, 3.14159265);
+    best.measured[studies::index_of(Property::ucs)] = {12, 69.9e6, 2.4e6, 0.69e6};
+    best.measured[studies::index_of(Property::poissons_ratio)] = {12, 0.2312, 0.004, 0.0012};
+    calibration.end = studies::SearchEnd::reached;
   }
 };
 
@@ -213,7 +215,7 @@ TEST(CalibratedRock, TheFileReadsBackAsExactlyWhatWasTested) {
   const Ended ended;
   const std::string text = dem2d::calibrated_rock_toml(ended.target, ended.calibration, "bitrock calibrate x");
   const dem2d::Rock rock = dem2d::parse_rock(text, "rock.toml");
-  EXPECT_EQ(dem2d::micro_of(rock), ended.calibration.best.micro);
+  EXPECT_EQ(studies::micro_of(rock), ended.calibration.best.micro);
   EXPECT_EQ(rock.name, "soft\nrock");
   EXPECT_EQ(rock.contact_modulus, ended.target.start.contact_modulus);
   EXPECT_EQ(rock.specimen_height, ended.target.start.specimen_height);
@@ -226,9 +228,9 @@ TEST(CalibratedRock, TheFileReadsBackAsExactlyWhatWasTested) {
 
 TEST(CalibratedRock, AMissedTargetSaysSoInTheFileAndInTheName) {
   Ended ended;
-  ended.calibration.end = dem2d::SearchEnd::out_of_reach;
+  ended.calibration.end = studies::SearchEnd::out_of_reach;
   ended.calibration.limits = {"stiffness ratio 10 is the largest allowed"};
-  ended.calibration.best.measured[dem2d::index_of(Property::ucs)].mean = 30e6;
+  ended.calibration.best.measured[studies::index_of(Property::ucs)].mean = 30e6;
   const std::string text = dem2d::calibrated_rock_toml(ended.target, ended.calibration, "bitrock calibrate x");
   EXPECT_NE(text.find("# NOT REACHED: out of reach of this model; stiffness ratio 10 is the largest allowed; a larger "
                       "strength ratio needs more scatter of the strengths"),
@@ -254,32 +256,32 @@ TEST(CalibratedRock, NoNameAndNoCommandMakesTheFileUnreadable) {
 
 TEST(CalibratedRock, ARockThatNoCommandCouldReadIsNotWritten) {
   Ended ended;
-  ended.calibration.best.micro[dem2d::index_of(dem2d::MicroParameter::cohesion)] = -1.0;
+  ended.calibration.best.micro[studies::index_of(studies::MicroParameter::cohesion)] = -1.0;
   EXPECT_THROW(dem2d::calibrated_rock_toml(ended.target, ended.calibration, "x"), base::SimulationError);
 }
 
 TEST(Journal, FindsOnlyWhatWasTestedUnderTheSameInputs) {
   const scratch::Folder dir("journal");
-  const dem2d::TestRecord record{.test = dem2d::LabTest::tension,
-                                 .seed = 7,
-                                 .micro = {1e9 / 3.0, 2.5, 1e7, 5e7, 0.577},
-                                 .peak_stress = 6.4e6 / 7.0,
-                                 .youngs_modulus = 1.48e9,
-                                 .poissons_ratio = 0.23,
-                                 .wall_time = 2.0};
+  const studies::TestRecord record{.test = dem2d::LabTest::tension,
+                                   .seed = 7,
+                                   .micro = {1e9 / 3.0, 2.5, 1e7, 5e7, 0.577},
+                                   .peak_stress = 6.4e6 / 7.0,
+                                   .youngs_modulus = 1.48e9,
+                                   .poissons_ratio = 0.23,
+                                   .wall_time = 2.0};
   {
-    dem2d::Journal journal(dir / "j.csv", "rock A");
+    studies::Journal journal(dir / "j.csv", "rock A");
     EXPECT_FALSE(journal.find(dem2d::LabTest::tension, 7, record.micro));
     journal.add(record);
   }
   {
-    dem2d::Journal other(dir / "j.csv", "rock B");
+    studies::Journal other(dir / "j.csv", "rock B");
     EXPECT_FALSE(other.find(dem2d::LabTest::tension, 7, record.micro));
-    dem2d::TestRecord weaker = record;
+    studies::TestRecord weaker = record;
     weaker.peak_stress = 1.0;
     other.add(weaker);  // the rows of rock A stay
   }
-  const dem2d::Journal again(dir / "j.csv", "rock A");
+  const studies::Journal again(dir / "j.csv", "rock A");
   const auto found = again.find(dem2d::LabTest::tension, 7, record.micro);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->peak_stress, record.peak_stress);  // bit for bit
@@ -294,12 +296,12 @@ TEST(Journal, FindsOnlyWhatWasTestedUnderTheSameInputs) {
 TEST(Journal, RefusesAFileThatIsNone) {
   const scratch::Folder dir("journal_none");
   base::write_whole(dir / "j.csv", "a,b\n1,2\n");
-  EXPECT_THROW(dem2d::Journal(dir / "j.csv", "x"), base::InputError);
+  EXPECT_THROW(studies::Journal(dir / "j.csv", "x"), base::InputError);
 }
 
 std::string journal_message(const std::filesystem::path& path) {
   try {
-    const dem2d::Journal journal(path, "x");
+    const studies::Journal journal(path, "x");
   } catch (const base::InputError& error) {
     return error.what();
   }
@@ -312,10 +314,10 @@ const std::string journal_head =
 
 TEST(Journal, WithoutRowsIsNew) {
   const scratch::Folder dir("journal_new");
-  const dem2d::TestRecord record{.seed = 1, .micro = {1, 2, 3, 4, 5}, .peak_stress = 1.0, .youngs_modulus = 1.0};
+  const studies::TestRecord record{.seed = 1, .micro = {1, 2, 3, 4, 5}, .peak_stress = 1.0, .youngs_modulus = 1.0};
   for (const std::string& text : {std::string(), std::string("\n"), journal_head}) {
     base::write_whole(dir / "j.csv", text);
-    dem2d::Journal journal(dir / "j.csv", "x");
+    studies::Journal journal(dir / "j.csv", "x");
     journal.add(record);
     EXPECT_TRUE(journal.find(record.test, 1, record.micro));
   }
@@ -352,14 +354,14 @@ TEST(Journal, ALastRowCutShortIsLeftOutAndSaid) {
                            "5,1,4,1e9,2.5,1e7,5e7,0.5,"
                            "6e6,1e9,0.2,1e"}) {
     base::write_whole(dir / "j.csv", journal_head + first + torn);
-    const dem2d::Journal journal(dir / "j.csv", "x");
+    const studies::Journal journal(dir / "j.csv", "x");
     EXPECT_NE(journal.left_out().find("j.csv: the last row was cut short"), std::string::npos) << torn;
     EXPECT_EQ(base::read_whole(dir / "j.csv"), journal_head + first) << torn;
   }
   base::write_whole(dir / "j.csv", journal_head + first.substr(0, first.size() - 1));  // whole, without its line end
-  EXPECT_TRUE(dem2d::Journal(dir / "j.csv", "x").left_out().empty());
+  EXPECT_TRUE(studies::Journal(dir / "j.csv", "x").left_out().empty());
   base::write_whole(dir / "j.csv", journal_head + "5,1,3");
-  EXPECT_FALSE(dem2d::Journal(dir / "j.csv", "x").left_out().empty());
+  EXPECT_FALSE(studies::Journal(dir / "j.csv", "x").left_out().empty());
 }
 
 TEST(Journal, DamageInTheMiddleNamesTheLineAndTheWayOut) {
@@ -381,7 +383,7 @@ TEST(Journal, IsUsedByOneCalibrationAtATime) {
   // the second would erase the rows of the first, because each writes the whole file from its own memory
   const scratch::Folder dir("journal_lock");
   {
-    const dem2d::Journal first(dir / "j.csv", "x");
+    const studies::Journal first(dir / "j.csv", "x");
     EXPECT_NE(journal_message(dir / "j.csv").find("j.csv is used by another program"), std::string::npos);
     EXPECT_EQ(journal_message(dir / "other.csv"), "accepted");
     EXPECT_NE(journal_message(dir / "j.csv"), "accepted");  // a refused one frees nothing
@@ -393,10 +395,10 @@ TEST(Journal, IsUsedByOneCalibrationAtATime) {
 }
 
 /// A core of some 90 coarse discs: a test takes hundredths of a second.
-dem2d::CalibrationTarget small_target() {
-  auto target = dem2d::parse_target("[target]\nname = \"small\"\ntensile_strength_MPa = 3\nyoungs_modulus_GPa = 3\n" +
-                                        rock_line + "[calibration]\nseeds = 2\nscouting_seeds = 1\n",
-                                    "target.toml");
+studies::CalibrationTarget small_target() {
+  auto target = studies::parse_target("[target]\nname = \"small\"\ntensile_strength_MPa = 3\nyoungs_modulus_GPa = 3\n" +
+                                          rock_line + "[calibration]\nseeds = 2\nscouting_seeds = 1\n",
+                                      "target.toml");
   target.start.radius_min = 1.5e-3;
   target.start.radius_max = 2.0e-3;
   target.start.specimen_width = 20e-3;
@@ -408,15 +410,15 @@ TEST(Laboratory, GoesOnFromTheJournalWithTheSameResult) {
   const scratch::Folder dir("laboratory");
   const auto target = small_target();
   const auto run = [&](int threads) {
-    dem2d::Journal journal(dir / "j.csv", dem2d::journal_inputs(target));
-    dem2d::Laboratory laboratory(target, journal, threads);
-    const auto found = dem2d::calibrate(target, {}, [&](const dem2d::Micro& micro, int seeds) {
-      return laboratory.evaluate(micro, dem2d::seeds_from(1, seeds));
+    studies::Journal journal(dir / "j.csv", studies::journal_inputs(target));
+    studies::Laboratory laboratory(target, journal, threads);
+    const auto found = dem2d::calibrate(target, {}, [&](const studies::Micro& micro, int seeds) {
+      return laboratory.evaluate(micro, studies::seeds_from(1, seeds));
     });
     return std::pair(found, laboratory.count());
   };
   const auto [first, counted] = run(2);
-  EXPECT_EQ(first.end, dem2d::SearchEnd::reached);
+  EXPECT_EQ(first.end, studies::SearchEnd::reached);
   EXPECT_GT(counted.tests, 0);
   const std::string whole = base::read_whole(dir / "j.csv");
 

@@ -5,11 +5,13 @@
 
 #include "base/errors.hpp"
 #include "base/random.hpp"
-#include "dem2d/calibrate/calibration.hpp"
+#include "studies/calibrate/calibration.hpp"
+
+using namespace bitrock;
 
 namespace {
 
-using dem2d::Micro, dem2d::Property, dem2d::SearchEnd;
+using studies::Micro, studies::Property, studies::SearchEnd;
 
 /// A rock as a formula. All stresses scale with E*, tensile strength and cohesion together, as in the engine.
 struct ModelRock {
@@ -21,7 +23,7 @@ struct ModelRock {
   std::uint64_t replicate = 0;  ///< another one, another chance
   int calls = 0, tests = 0;
 
-  dem2d::PerProperty<double> exact(const Micro& micro) const {
+  studies::PerProperty<double> exact(const Micro& micro) const {
     const double modulus = micro[0], kappa = std::log(micro[1] / 2.5), tension = micro[2];
     const double ratio = std::log(micro[3] / tension / 5.0), brittle = std::log(tension / modulus / 0.0067);
     const double strength = 0.65 * tension * std::exp(-0.2 * kappa - curvature * kappa * kappa);
@@ -32,12 +34,12 @@ struct ModelRock {
     return {strength * times, strength, modulus * std::exp(-0.22 * kappa + 0.01 * brittle), std::min(nu, largest_nu)};
   }
 
-  dem2d::Evaluation evaluate(const Micro& micro, int seeds) {
+  studies::Evaluation evaluate(const Micro& micro, int seeds) {
     ++calls;
     tests += seeds;
-    dem2d::Evaluation made{.micro = micro};
-    for (const Property property : dem2d::all_properties) {
-      const std::size_t i = dem2d::index_of(property);
+    studies::Evaluation made{.micro = micro};
+    for (const Property property : studies::all_properties) {
+      const std::size_t i = studies::index_of(property);
       const double share = property == Property::youngs_modulus || property == Property::poissons_ratio ? 0.2 : 1.0;
       std::vector<double> values;
       for (int seed = 1; seed <= seeds; ++seed) {
@@ -54,26 +56,26 @@ struct ModelRock {
   }
 };
 
-dem2d::CalibrationTarget article() {
-  dem2d::CalibrationTarget target{.name = "model"};
+studies::CalibrationTarget article() {
+  studies::CalibrationTarget target{.name = "model"};
   target.wanted = {70.5e6, 7.1e6, 1.48e9, 0.23};
   target.settings = {.seeds = 1, .scouting_seeds = 1};
   return target;
 }
 
-dem2d::Calibration run(ModelRock& rock, const dem2d::CalibrationTarget& target, bool friction = false) {
+studies::Calibration run(ModelRock& rock, const studies::CalibrationTarget& target, bool friction = false) {
   return dem2d::calibrate(target, {.friction = friction},
                           [&rock](const Micro& micro, int seeds) { return rock.evaluate(micro, seeds); });
 }
 
 /// Largest error over the tolerance, of what the formula gives without noise.
-double worst(const ModelRock& rock, const dem2d::CalibrationTarget& target, const Micro& micro) {
+double worst(const ModelRock& rock, const studies::CalibrationTarget& target, const Micro& micro) {
   double largest = 0.0;
-  for (const Property property : dem2d::all_properties) {
-    if (!dem2d::is_wanted(target, property)) continue;
-    const std::size_t i = dem2d::index_of(property);
-    const double error = dem2d::error_of(property, rock.exact(micro)[i], target.wanted[i]);
-    largest = std::max(largest, std::abs(error) / dem2d::tolerance_of(target, property));
+  for (const Property property : studies::all_properties) {
+    if (!studies::is_wanted(target, property)) continue;
+    const std::size_t i = studies::index_of(property);
+    const double error = studies::error_of(property, rock.exact(micro)[i], target.wanted[i]);
+    largest = std::max(largest, std::abs(error) / studies::tolerance_of(target, property));
   }
   return largest;
 }
@@ -85,9 +87,9 @@ TEST(CalibrationSearch, ReachesFourNumbersOfAStraightRockInFewEvaluations) {
   EXPECT_EQ(found.end, SearchEnd::reached);
   EXPECT_LE(worst(rock, target, found.best.micro), 1.0);
   EXPECT_LE(rock.calls, 4);
-  for (const auto parameter : {dem2d::MicroParameter::effective_modulus, dem2d::MicroParameter::cohesion}) {
-    const double value = found.best.micro[dem2d::index_of(parameter)];
-    EXPECT_EQ(value, dem2d::rounded(parameter, value));  // as it will stand in the rock file
+  for (const auto parameter : {studies::MicroParameter::effective_modulus, studies::MicroParameter::cohesion}) {
+    const double value = found.best.micro[studies::index_of(parameter)];
+    EXPECT_EQ(value, studies::rounded(parameter, value));  // as it will stand in the rock file
   }
 }
 
@@ -107,7 +109,7 @@ TEST(CalibrationSearch, AllStressesScaleInOneStep) {
   // twenty times stiffer and stronger: only E*, tensile strength and cohesion change, so the second evaluation hits
   ModelRock rock;
   auto target = article();
-  const auto at_start = rock.exact(dem2d::micro_of(target.start));
+  const auto at_start = rock.exact(studies::micro_of(target.start));
   target.wanted = {20 * at_start[0], 20 * at_start[1], 20 * at_start[2], at_start[3]};
   const auto found = run(rock, target);
   EXPECT_EQ(found.end, SearchEnd::reached);
@@ -123,8 +125,8 @@ TEST(CalibrationSearch, NoiseOfTheSpecimensIsNotChased) {
   target.settings = {.seeds = 12, .scouting_seeds = 4};
   const auto found = run(rock, target);
   EXPECT_EQ(found.end, SearchEnd::reached);
-  for (const Property property : dem2d::all_properties) {
-    EXPECT_TRUE(dem2d::is_met(target, property, found.best.measured[dem2d::index_of(property)]));
+  for (const Property property : studies::all_properties) {
+    EXPECT_TRUE(studies::is_met(target, property, found.best.measured[studies::index_of(property)]));
   }
   EXPECT_EQ(found.best.measured[0].count, 12);
   EXPECT_LE(rock.calls, 10);
@@ -137,7 +139,7 @@ TEST(CalibrationSearch, AFewUnluckySpecimensDoNotDecideThatATargetIsOutOfReach) 
   auto target = article();
   target.settings = {.seeds = 12, .scouting_seeds = 3};
   const auto found = dem2d::calibrate(target, {}, [&](const Micro& micro, int seeds) {
-    dem2d::Evaluation made = rock.evaluate(micro, 1);
+    studies::Evaluation made = rock.evaluate(micro, 1);
     for (auto& measured : made.measured) measured.count = seeds;
     base::Summary& strength = made.measured[0];
     strength.mean *= seeds == 3 ? 0.8 : 1.0;
@@ -149,32 +151,32 @@ TEST(CalibrationSearch, AFewUnluckySpecimensDoNotDecideThatATargetIsOutOfReach) 
 }
 
 TEST(CalibrationSearch, WhatIsNotGivenStaysBitForBit) {
-  for (const Property only : dem2d::all_properties) {
+  for (const Property only : studies::all_properties) {
     ModelRock rock{.curvature = 0.1};
     auto target = article();
     target.start.joint_modulus = 1.5e9 / 3.0;  // no round numbers
     target.start.tensile_strength = 31e6 / 3.0;
     target.start.cohesion = 151e6 / 3.0;
     target.start.joint_stiffness_ratio = 7.0 / 3.0;
-    const auto at_start = rock.exact(dem2d::micro_of(target.start));
+    const auto at_start = rock.exact(studies::micro_of(target.start));
     target.wanted = {};
-    target.wanted[dem2d::index_of(only)] = 1.2 * at_start[dem2d::index_of(only)];
+    target.wanted[studies::index_of(only)] = 1.2 * at_start[studies::index_of(only)];
     const auto found = run(rock, target);
     EXPECT_EQ(found.end, SearchEnd::reached);
     EXPECT_LE(worst(rock, target, found.best.micro), 1.0);
     int changed = 0;
     for (std::size_t i = 0; i < found.best.micro.size(); ++i) {
-      changed += found.best.micro[i] != dem2d::micro_of(target.start)[i];
+      changed += found.best.micro[i] != studies::micro_of(target.start)[i];
     }
-    EXPECT_EQ(changed, 1) << dem2d::words_of(only).name;
+    EXPECT_EQ(changed, 1) << studies::words_of(only).name;
   }
 }
 
 TEST(CalibrationSearch, APairOfTargetsLeavesTheOtherTwo) {
   ModelRock rock{.curvature = 0.1};
   auto target = article();
-  target.wanted[dem2d::index_of(Property::youngs_modulus)] = 0.0;
-  target.wanted[dem2d::index_of(Property::poissons_ratio)] = 0.0;
+  target.wanted[studies::index_of(Property::youngs_modulus)] = 0.0;
+  target.wanted[studies::index_of(Property::poissons_ratio)] = 0.0;
   const auto found = run(rock, target);
   EXPECT_EQ(found.end, SearchEnd::reached);
   EXPECT_LE(worst(rock, target, found.best.micro), 1.0);
@@ -185,7 +187,7 @@ TEST(CalibrationSearch, APairOfTargetsLeavesTheOtherTwo) {
 TEST(CalibrationSearch, APoissonsRatioOutOfReachEndsSoonWithTheRestMet) {
   ModelRock rock{.curvature = 0.1, .largest_nu = 0.33};
   auto target = article();
-  target.wanted[dem2d::index_of(Property::poissons_ratio)] = 0.45;
+  target.wanted[studies::index_of(Property::poissons_ratio)] = 0.45;
   const auto found = run(rock, target);
   EXPECT_EQ(found.end, SearchEnd::out_of_reach);
   EXPECT_LE(rock.calls, 7);
@@ -199,7 +201,7 @@ TEST(CalibrationSearch, APoissonsRatioOutOfReachEndsSoonWithTheRestMet) {
 TEST(CalibrationSearch, AStrengthRatioOutOfReachEndsSoonWithTheNearest) {
   ModelRock rock{.saturation = 13.0};
   auto target = article();
-  target.wanted[dem2d::index_of(Property::ucs)] = 40 * 7.1e6;
+  target.wanted[studies::index_of(Property::ucs)] = 40 * 7.1e6;
   const auto found = run(rock, target);
   EXPECT_EQ(found.end, SearchEnd::out_of_reach);
   EXPECT_LE(rock.calls, 7);
@@ -215,7 +217,7 @@ TEST(CalibrationSearch, AWrongSlopeDoesNotTurnTheSearchAwayFromItsLimit) {
   auto target = article();
   target.wanted = {40 * 7.1e6, 0.0, 0.0, 0.0};
   const auto found = dem2d::calibrate(target, {}, [](const Micro& micro, int) {
-    dem2d::Evaluation made{.micro = micro};
+    studies::Evaluation made{.micro = micro};
     made.measured[0] = {.count = 1, .mean = 70e6 * std::pow(micro[3] / 50e6, -0.2)};
     return made;
   });
@@ -228,7 +230,7 @@ TEST(CalibrationSearch, AWrongSlopeDoesNotTurnTheSearchAwayFromItsLimit) {
 
 TEST(CalibrationSearch, FrictionHelpsWhereCohesionIsAtItsLimit) {
   auto target = article();
-  target.wanted[dem2d::index_of(Property::ucs)] = 13.5 * 7.1e6;
+  target.wanted[studies::index_of(Property::ucs)] = 13.5 * 7.1e6;
   ModelRock without{.saturation = 13.0}, with{.saturation = 13.0};
   EXPECT_EQ(run(without, target).end, SearchEnd::out_of_reach);
   const auto found = run(with, target, true);
@@ -240,12 +242,12 @@ TEST(CalibrationSearch, FrictionHelpsWhereCohesionIsAtItsLimit) {
 TEST(CalibrationSearch, FrictionThatHelpsMayStartFromNone) {
   auto target = article();
   target.start.friction = 0.0;
-  target.wanted[dem2d::index_of(Property::ucs)] = 11.0 * 7.1e6;
+  target.wanted[studies::index_of(Property::ucs)] = 11.0 * 7.1e6;
   ModelRock rock{.saturation = 13.0};
   const auto found = dem2d::calibrate(target, {.friction = true}, [&](Micro micro, int seeds) {
     const double friction = micro[4];
     micro[4] = std::max(friction, 0.05);  // the formula has no strength without friction; a rock has some
-    dem2d::Evaluation made = rock.evaluate(micro, seeds);
+    studies::Evaluation made = rock.evaluate(micro, seeds);
     made.micro[4] = friction;
     return made;
   });
@@ -259,14 +261,14 @@ TEST(CalibrationSearch, FrictionThatHelpsMayStartFromNone) {
 TEST(CalibrationSearch, NoTryLeavesTheRangesOfARockFile) {
   // E needs more than a rock file allows, and the strengths follow it
   ModelRock rock;
-  dem2d::CalibrationTarget target = article();
+  studies::CalibrationTarget target = article();
   target.wanted = {4900e6, 450e6, 990e9, 0.23};
   const auto evaluate = [&](const Micro& micro, int seeds) {
-    dem2d::Rock tried = dem2d::with_micro(target.start, micro);
+    dem2d::Rock tried = studies::with_micro(target.start, micro);
     EXPECT_NO_THROW(dem2d::parse_rock(base::to_toml(dem2d::describe(tried)), "tried.toml"));
     return rock.evaluate(micro, seeds);
   };
-  const dem2d::Calibration found = dem2d::calibrate(target, {}, evaluate);
+  const studies::Calibration found = dem2d::calibrate(target, {}, evaluate);
   EXPECT_LE(found.best.micro[0], 1000e9);
   EXPECT_GT(found.best.micro[0], 900e9);
 }
@@ -301,7 +303,7 @@ TEST(CalibrationSearch, AStepIntoARockThatCannotBeTestedIsTakenBack) {
 }
 
 TEST(CalibrationSearch, AStartThatCannotBeTestedSaysWhyAndWhatToChange) {
-  const auto message = [](const dem2d::CalibrationTarget& target, int seeds_that_fail) -> std::string {
+  const auto message = [](const studies::CalibrationTarget& target, int seeds_that_fail) -> std::string {
     ModelRock rock;
     try {
       dem2d::calibrate(target, {}, [&](const Micro& micro, int seeds) {

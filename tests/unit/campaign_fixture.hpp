@@ -5,10 +5,12 @@
 #include <string>
 
 #include "base/files.hpp"
-#include "campaigns/folder.hpp"
-#include "campaigns/study.hpp"
-#include "dem2d/output/run_file.hpp"
+#include "dem2d/files/run_file.hpp"
+#include "studies/campaign/folder.hpp"
+#include "studies/campaign/study.hpp"
 #include "tests/scratch.hpp"
+
+using namespace bitrock;
 
 namespace campaign_fixture {
 
@@ -21,13 +23,13 @@ inline std::string study_text() {
   return head + "seeds = [1, 5]\n" + grid + "[cut]\ncut_length_mm = 20\n[bed]\nlength_mm = 40\nheight_mm = 15\n";
 }
 
-inline campaigns::Study study(const scratch::Folder& dir, const std::string& text = study_text()) {
+inline studies::Study study(const scratch::Folder& dir, const std::string& text = study_text()) {
   base::write_whole(dir / "study.toml", text);
-  return campaigns::read_study(dir / "study.toml");
+  return studies::read_study(dir / "study.toml");
 }
 
 /// Numbers that tell the job, and forces with three peaks.
-inline dem2d::CutRun made_up_run(const campaigns::Job& job) {
+inline dem2d::CutRun made_up_run(const studies::Job& job) {
   const double scale = job.case_number + 0.1 * job.seed;
   dem2d::CutRun run;
   run.bed_origin = dem2d::origin_genesis;
@@ -36,7 +38,9 @@ inline dem2d::CutRun made_up_run(const campaigns::Job& job) {
     run.force_x.push_back(scale * (1.0 + std::sin(0.3 * i)));
     run.force_y.push_back(scale * (2.0 + std::sin(0.3 * i)));
   }
-  run.cracks = {{.mode = 1}, {.mode = 2}, {.mode = 1}};
+  run.cracks = {{.mode = dem2d::ElementState::broken_in_tension},
+                {.mode = dem2d::ElementState::broken_in_shear},
+                {.mode = dem2d::ElementState::broken_in_tension}};
   run.frames = {{.x = {0.0}, .y = {0.0}, .radius = {1e-3}, .id = {0}, .fragment = {0}}};
   run.discs = 100 + job.case_number;
   run.joints = 250;
@@ -53,8 +57,8 @@ inline dem2d::CutRun made_up_run(const campaigns::Job& job) {
   return run;
 }
 
-inline void finish(const campaigns::Job& job, const std::filesystem::path& folder) {
-  dem2d::write_run(made_up_run(job), job.cut, static_cast<std::uint64_t>(job.seed), campaigns::run_path(folder, job));
+inline void finish(const studies::Job& job, const std::filesystem::path& folder) {
+  dem2d::write_run(made_up_run(job), job.cut, static_cast<std::uint64_t>(job.seed), studies::run_path(folder, job));
 }
 
 /// The words of the exception, from the name of the file on.

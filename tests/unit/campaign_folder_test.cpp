@@ -4,11 +4,13 @@
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/file_lock.hpp"
-#include "campaigns/accepted.hpp"
-#include "campaigns/collect.hpp"
-#include "campaigns/plan.hpp"
-#include "campaigns/status.hpp"
+#include "studies/campaign/accepted.hpp"
+#include "studies/campaign/collect.hpp"
+#include "studies/campaign/plan.hpp"
+#include "studies/campaign/status.hpp"
 #include "tests/unit/campaign_fixture.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -18,15 +20,15 @@ class Folder : public testing::Test {
  protected:
   const scratch::Folder dir{"folder"};
   const std::filesystem::path camp = dir / "camp";
-  const campaigns::Study study = fx::study(dir);
-  const std::vector<campaigns::Job> jobs = campaigns::jobs(study);
+  const studies::Study study = fx::study(dir);
+  const std::vector<studies::Job> jobs = studies::jobs(study);
 
-  void SetUp() override { campaigns::open_folder(study, camp); }
-  campaigns::Status status() const { return campaigns::status(study, camp); }
+  void SetUp() override { studies::open_folder(study, camp); }
+  studies::Status status() const { return studies::status(study, camp); }
   void finish_all() const {
-    for (const campaigns::Job& job : jobs) fx::finish(job, camp);
+    for (const studies::Job& job : jobs) fx::finish(job, camp);
   }
-  std::string table() const { return campaigns::features_csv(campaigns::collect(study, camp).rows); }
+  std::string table() const { return studies::features_csv(studies::collect(study, camp).rows); }
   /// As if the rows came from elsewhere, with one piece of text replaced.
   std::filesystem::path rows(std::string text, const std::string& from = "", const std::string& to = "") const {
     if (!from.empty()) {
@@ -43,9 +45,9 @@ TEST_F(Folder, EveryJobIsCountedOnce) {
   EXPECT_FALSE(status().time_left.has_value()) << "nothing is known yet";
   EXPECT_FALSE(status().core_left.has_value());
   fx::finish(jobs[0], camp);
-  base::write_whole(campaigns::failure_path(camp, jobs[0]), "an earlier failure of what is done now");
-  base::write_whole(campaigns::failure_path(camp, jobs[1]), "why");
-  const campaigns::Status seen = status();
+  base::write_whole(studies::failure_path(camp, jobs[0]), "an earlier failure of what is done now");
+  base::write_whole(studies::failure_path(camp, jobs[1]), "why");
+  const studies::Status seen = status();
   EXPECT_EQ(seen.cases, 8);
   EXPECT_EQ(seen.done, 1);
   EXPECT_EQ(seen.failed, 1);
@@ -60,11 +62,11 @@ TEST_F(Folder, EveryJobIsCountedOnce) {
 
 TEST_F(Folder, AJobIsRunningWhileItIsLocked) {
   fx::finish(jobs[0], camp);
-  const auto record = campaigns::running_path(camp, jobs[1]);
-  campaigns::write_record({.host = "here", .pid = 7, .started = campaigns::now() - 5.0, .share_done = 0.5}, record);
+  const auto record = studies::running_path(camp, jobs[1]);
+  studies::write_record({.host = "here", .pid = 7, .started = studies::now() - 5.0, .share_done = 0.5}, record);
   EXPECT_EQ(status().running, 0) << "left behind by a killed runner";
   const base::FileLock lock(record);
-  const campaigns::Survey survey = campaigns::look(study, camp);
+  const studies::Survey survey = studies::look(study, camp);
   EXPECT_EQ(survey.status.running, 1);
   EXPECT_EQ(survey.status.remaining, 6);
   ASSERT_EQ(survey.running.size(), 1u);
@@ -79,7 +81,7 @@ TEST_F(Folder, AJobIsRunningWhileItIsLocked) {
 TEST_F(Folder, ARunIsDoneOnlyWhenItsFileIsGood) {
   fx::finish(jobs[0], camp);
   ASSERT_EQ(status().done, 1);
-  const auto file = campaigns::run_path(camp, jobs[0]);
+  const auto file = studies::run_path(camp, jobs[0]);
   const std::string good = base::read_whole(file);
   for (const std::size_t at : {std::size_t{100}, good.size() / 2, good.size() - 30}) {
     std::string bad = good;
@@ -91,32 +93,32 @@ TEST_F(Folder, ARunIsDoneOnlyWhenItsFileIsGood) {
   EXPECT_EQ(status().done, 0);
   std::filesystem::remove(file);
   fx::finish(jobs[1], camp);
-  std::filesystem::rename(campaigns::run_path(camp, jobs[1]), file);
+  std::filesystem::rename(studies::run_path(camp, jobs[1]), file);
   EXPECT_EQ(status().done, 0) << "the run of another seed";
 }
 
 TEST_F(Folder, OtherFoldersAreRefused) {
   const auto words = [&](const std::filesystem::path& folder) {
-    return fx::message([&] { campaigns::status(study, folder); }, dir.path().string());
+    return fx::message([&] { studies::status(study, folder); }, dir.path().string());
   };
   EXPECT_NE(words(dir / "none").find("none: there is no such folder"), std::string::npos);
   std::filesystem::create_directories(dir / "other");
   EXPECT_NE(words(dir / "other").find("is no campaign's folder"), std::string::npos);
   base::write_whole(dir / "other/study.toml", "no study\n");
   EXPECT_NE(words(dir / "other").find("is damaged: choose another --dir"), std::string::npos);
-  campaigns::Study another = study;
+  studies::Study another = study;
   another.seeds = {77};
-  base::write_whole(dir / "other/study.toml", campaigns::exact_toml(another));
+  base::write_whole(dir / "other/study.toml", studies::exact_toml(another));
   EXPECT_NE(words(dir / "other").find("holds runs of another study"), std::string::npos);
-  EXPECT_THROW(campaigns::open_folder(study, dir / "other"), base::InputError);
+  EXPECT_THROW(studies::open_folder(study, dir / "other"), base::InputError);
 }
 
 TEST_F(Folder, FeaturesTellWhatTheRunsTell) {
   fx::finish(jobs[5], camp);
   fx::finish(jobs[2], camp);
-  const auto collected = campaigns::collect(study, camp).rows;
+  const auto collected = studies::collect(study, camp).rows;
   ASSERT_EQ(collected.size(), 2u) << "works at any time on what is finished, in job order";
-  const std::string text = campaigns::features_csv(collected);
+  const std::string text = studies::features_csv(collected);
   EXPECT_EQ(
       text.substr(0, text.find('\n')),
       "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,"
@@ -136,18 +138,18 @@ TEST_F(Folder, FeaturesTellWhatTheRunsTell) {
   EXPECT_EQ(csv.column("discs")[0], 102.0);
   EXPECT_EQ(csv.column("step_s")[0], 4e-7);
   EXPECT_EQ(csv.column("core_s")[0], 10.0);
-  EXPECT_EQ(csv.texts.at("hash")[1], campaigns::job_hash(jobs[5]));
+  EXPECT_EQ(csv.texts.at("hash")[1], studies::job_hash(jobs[5]));
 }
 
 TEST_F(Folder, FeaturesReadBackAreTheSameText) {
   finish_all();
   const std::string text = table();
-  EXPECT_EQ(campaigns::features_csv(campaigns::read_features(rows(text)).rows), text);
+  EXPECT_EQ(studies::features_csv(studies::read_features(rows(text)).rows), text);
 }
 
 TEST_F(Folder, MeansAndStandardErrorsAreOverTheSeeds) {
   finish_all();
-  base::write_whole(dir / "mean.csv", campaigns::features_mean_csv(campaigns::collect(study, camp).rows));
+  base::write_whole(dir / "mean.csv", studies::features_mean_csv(studies::collect(study, camp).rows));
   const base::CsvTable mean = base::read_csv(dir / "mean.csv");
   ASSERT_EQ(mean.rows(), 4u);
   EXPECT_FALSE(mean.has("hash"));
@@ -163,16 +165,16 @@ TEST_F(Folder, MeansAndStandardErrorsAreOverTheSeeds) {
 TEST_F(Folder, AcceptedRowsAreDoneAlthoughTheirRunsAreGone) {
   finish_all();
   const std::string text = table();
-  for (const campaigns::Job& job : jobs) std::filesystem::remove(campaigns::run_path(camp, job));
+  for (const studies::Job& job : jobs) std::filesystem::remove(studies::run_path(camp, job));
   ASSERT_EQ(status().done, 0);
-  const campaigns::Acceptance accepted = campaigns::keep_accepted(study, camp, rows(text));
+  const studies::Acceptance accepted = studies::keep_accepted(study, camp, rows(text));
   EXPECT_EQ(accepted.added, 8);
   EXPECT_EQ(accepted.all.strangers, 0);
   EXPECT_EQ(status().done, 8);
   EXPECT_EQ(status().core_seconds, 80.0);
-  EXPECT_EQ(campaigns::plan(study, camp).done, 8);
+  EXPECT_EQ(studies::plan(study, camp).done, 8);
   EXPECT_EQ(table(), text) << "collected from accepted rows alone";
-  EXPECT_EQ(campaigns::keep_accepted(study, camp, rows(text)).added, 0);
+  EXPECT_EQ(studies::keep_accepted(study, camp, rows(text)).added, 0);
   EXPECT_EQ(table(), text);
 }
 
@@ -181,23 +183,23 @@ TEST_F(Folder, RowsOfNoJobAreCountedAndLeft) {
   const std::string text = table();
   const scratch::Folder elsewhere("elsewhere");
   // the same cuts but one: 10 degrees became 12, other hashes; case numbers are those of the study that accepts
-  const campaigns::Study other = fx::study(
+  const studies::Study other = fx::study(
       elsewhere,
       fx::head +
           "seeds = [5]\n[grid]\ncutter_speeds_m_per_s = [2]\ndepths_of_cut_mm = [4]\nback_rakes_deg = [12, 10]\n"
           "[cut]\ncut_length_mm = 20\n[bed]\nlength_mm = 40\nheight_mm = 15\n");
-  campaigns::open_folder(other, elsewhere / "camp");
-  const campaigns::Acceptance accepted = campaigns::keep_accepted(other, elsewhere / "camp", rows(text));
+  studies::open_folder(other, elsewhere / "camp");
+  const studies::Acceptance accepted = studies::keep_accepted(other, elsewhere / "camp", rows(text));
   EXPECT_EQ(accepted.added, 1);
   EXPECT_EQ(accepted.all.strangers, 7);
-  EXPECT_EQ(campaigns::collect(other, elsewhere / "camp").rows[0].case_number, 2);
+  EXPECT_EQ(studies::collect(other, elsewhere / "camp").rows[0].case_number, 2);
 }
 
 TEST_F(Folder, RowsThatWereChangedAreRefusedWithTheirLine) {
   finish_all();
-  const std::string text = table(), hash = campaigns::job_hash(jobs[0]);
+  const std::string text = table(), hash = studies::job_hash(jobs[0]);
   const auto words = [&](const std::filesystem::path& file) {
-    return fx::message([&] { campaigns::keep_accepted(study, camp, file); }, "rows.csv");
+    return fx::message([&] { studies::keep_accepted(study, camp, file); }, "rows.csv");
   };
   const std::string job = " (the job with the hash " + hash + ", case 1 seed 1, has ";
   EXPECT_EQ(words(rows(text, "\n1,1,0.5,2,10,", "\n1,2,0.5,2,10,")),
@@ -229,17 +231,17 @@ TEST_F(Folder, TheRunFileWinsOverAnAcceptedRowThatDiffers) {
   changed.replace(at, text.find(',', at) - at, "77");
   std::string slower = text;
   slower.replace(slower.find(",10,", slower.find("4e-07")), 4, ",99,");
-  campaigns::keep_accepted(study, camp, rows(slower));
-  EXPECT_TRUE(campaigns::collect(study, camp).warnings.empty()) << "another time on the clock is no other result";
+  studies::keep_accepted(study, camp, rows(slower));
+  EXPECT_TRUE(studies::collect(study, camp).warnings.empty()) << "another time on the clock is no other result";
   std::filesystem::remove(camp / "accepted.csv");
 
-  campaigns::keep_accepted(study, camp, rows(changed));
-  const campaigns::Collection collection = campaigns::collect(study, camp);
-  EXPECT_EQ(campaigns::features_csv(collection.rows), text);
+  studies::keep_accepted(study, camp, rows(changed));
+  const studies::Collection collection = studies::collect(study, camp);
+  EXPECT_EQ(studies::features_csv(collection.rows), text);
   ASSERT_EQ(collection.warnings.size(), 1u);
-  EXPECT_NE(collection.warnings[0].find("case 1 seed 1 (hash " + campaigns::job_hash(jobs[0])), std::string::npos);
+  EXPECT_NE(collection.warnings[0].find("case 1 seed 1 (hash " + studies::job_hash(jobs[0])), std::string::npos);
   EXPECT_NE(collection.warnings[0].find(" and 77, x_mean_N_per_m 1.1 and 1.1; the run file counts"), std::string::npos);
-  const campaigns::Acceptance again = campaigns::keep_accepted(study, camp, rows(text));
+  const studies::Acceptance again = studies::keep_accepted(study, camp, rows(text));
   ASSERT_EQ(again.all.warnings.size(), 1u) << "two rows of one hash";
 }
 

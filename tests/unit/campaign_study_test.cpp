@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "campaigns/plan.hpp"
+#include "studies/campaign/plan.hpp"
 #include "tests/unit/campaign_fixture.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -13,7 +15,7 @@ class StudyFile : public testing::Test {
  protected:
   const scratch::Folder dir{"study"};
 
-  campaigns::Study study(const std::string& text) { return fx::study(dir, text); }
+  studies::Study study(const std::string& text) { return fx::study(dir, text); }
   std::string message(const std::string& text, const std::string& from = "study.toml") {
     return fx::message([&] { study(text); }, from);
   }
@@ -26,7 +28,7 @@ const std::string header = "cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg\n
 const std::string by_depth = "[by_depth]\ncut_length_depths = 20\nbed_height_depths = 5\nbed_beyond_depths = 4\n";
 
 TEST_F(StudyFile, AGridGivesEveryCombinationTimesTheSeeds) {
-  const std::vector<campaigns::Job> jobs = campaigns::jobs(study(fx::study_text()));
+  const std::vector<studies::Job> jobs = studies::jobs(study(fx::study_text()));
   ASSERT_EQ(jobs.size(), 8u);
   EXPECT_EQ(jobs[0].case_number, 1);
   EXPECT_EQ(jobs[1].seed, 5);
@@ -39,11 +41,11 @@ TEST_F(StudyFile, AGridGivesEveryCombinationTimesTheSeeds) {
 
 TEST_F(StudyFile, ATableOfTheSameCasesAsksForTheSameCuts) {
   table("back_rake_deg,cutter_speed_m_per_s,note,depth_of_cut_mm\n10,0.5,1,2\n10,0.5,1,4\n10,2,1,2\n10,2,1,4\n");
-  const auto from_table = campaigns::jobs(study(fx::head + by_table + "seeds = [1, 5]\n" + sizes));
-  const auto from_grid = campaigns::jobs(study(fx::study_text()));
+  const auto from_table = studies::jobs(study(fx::head + by_table + "seeds = [1, 5]\n" + sizes));
+  const auto from_grid = studies::jobs(study(fx::study_text()));
   ASSERT_EQ(from_table.size(), from_grid.size());
   for (std::size_t i = 0; i < from_grid.size(); ++i) {
-    EXPECT_EQ(campaigns::job_hash(from_table[i]), campaigns::job_hash(from_grid[i])) << i;
+    EXPECT_EQ(studies::job_hash(from_table[i]), studies::job_hash(from_grid[i])) << i;
   }
 }
 
@@ -51,15 +53,15 @@ TEST_F(StudyFile, AResolvedStudyNeedsNoOtherFile) {
   table("back_rake_deg,cutter_speed_m_per_s,depth_of_cut_mm\n10,0.5,2\n30,0.7,4.1\n");
   for (const std::string& text : {fx::study_text(), fx::head + by_table + "seeds = [1, 5]\n" + sizes,
                                   fx::head + fx::grid + by_depth + "run_in_depths = 0.7\n"}) {
-    const campaigns::Study first = study(text);
-    base::write_whole(dir / "resolved.toml", campaigns::exact_toml(first));
-    const campaigns::Study again = campaigns::read_study(dir / "resolved.toml");
-    EXPECT_EQ(campaigns::exact_toml(again), campaigns::exact_toml(first));
-    const auto jobs = campaigns::jobs(first), jobs_again = campaigns::jobs(again);
+    const studies::Study first = study(text);
+    base::write_whole(dir / "resolved.toml", studies::exact_toml(first));
+    const studies::Study again = studies::read_study(dir / "resolved.toml");
+    EXPECT_EQ(studies::exact_toml(again), studies::exact_toml(first));
+    const auto jobs = studies::jobs(first), jobs_again = studies::jobs(again);
     ASSERT_EQ(jobs.size(), jobs_again.size());
     for (std::size_t i = 0; i < jobs.size(); ++i) {
       EXPECT_EQ(dem2d::exact_toml(jobs[i].cut), dem2d::exact_toml(jobs_again[i].cut));
-      EXPECT_EQ(campaigns::job_hash(jobs[i]), campaigns::job_hash(jobs_again[i]));
+      EXPECT_EQ(studies::job_hash(jobs[i]), studies::job_hash(jobs_again[i]));
     }
   }
 }
@@ -95,10 +97,9 @@ TEST_F(StudyFile, EitherGridOrTable) {
 }
 
 TEST_F(StudyFile, DepthSizesCutAndBed) {
-  const campaigns::Study sized =
-      study(fx::head + fx::grid + by_depth +
-            "cut_length_least_mm = 50\nbed_height_least_mm = 12\nbed_beyond_least_mm = 10\n");
-  const std::vector<campaigns::Job> jobs = campaigns::jobs(sized);
+  const studies::Study sized = study(fx::head + fx::grid + by_depth +
+                                     "cut_length_least_mm = 50\nbed_height_least_mm = 12\nbed_beyond_least_mm = 10\n");
+  const std::vector<studies::Job> jobs = studies::jobs(sized);
   // depth 2 mm: 20 depths are 40 mm, below the least; 5 depths 10 mm, below; 4 depths 8 mm, below
   EXPECT_DOUBLE_EQ(jobs[0].cut.cut_length, 50e-3);
   EXPECT_DOUBLE_EQ(jobs[0].cut.bed_height, 12e-3);
@@ -107,17 +108,17 @@ TEST_F(StudyFile, DepthSizesCutAndBed) {
   EXPECT_DOUBLE_EQ(jobs[1].cut.cut_length, 80e-3);
   EXPECT_DOUBLE_EQ(jobs[1].cut.bed_height, 20e-3);
   EXPECT_DOUBLE_EQ(jobs[1].cut.bed_length, 96e-3);
-  EXPECT_EQ(campaigns::rock_path("d", jobs[0]), "d/specimens/60x12mm_seed_1.h5");
-  EXPECT_EQ(campaigns::rock_path("d", jobs[0]), campaigns::rock_path("d", jobs[2])) << "speeds share a rock";
-  EXPECT_NE(campaigns::rock_path("d", jobs[0]), campaigns::rock_path("d", jobs[1]));
-  const std::string resolved = campaigns::resolved_toml(sized);
+  EXPECT_EQ(studies::rock_path("d", jobs[0]), "d/specimens/60x12mm_seed_1.h5");
+  EXPECT_EQ(studies::rock_path("d", jobs[0]), studies::rock_path("d", jobs[2])) << "speeds share a rock";
+  EXPECT_NE(studies::rock_path("d", jobs[0]), studies::rock_path("d", jobs[1]));
+  const std::string resolved = studies::resolved_toml(sized);
   EXPECT_NE(resolved.find("bed_beyond_least_mm = 10\n"), std::string::npos);
   EXPECT_EQ(resolved.find("\ncut_length_mm"), std::string::npos) << "not a size of all cases";
 }
 
 TEST_F(StudyFile, TheRunInLengthensTheBedAndIsNotPartOfTheCutLength) {
-  const campaigns::Study sized = study(fx::head + fx::grid + by_depth + "run_in_depths = 2\n");
-  const dem2d::CutCase cut = campaigns::jobs(sized)[0].cut;  // 2 mm
+  const studies::Study sized = study(fx::head + fx::grid + by_depth + "run_in_depths = 2\n");
+  const dem2d::CutCase cut = studies::jobs(sized)[0].cut;  // 2 mm
   EXPECT_DOUBLE_EQ(cut.run_in, 4e-3);
   EXPECT_DOUBLE_EQ(cut.cut_length, 40e-3);
   EXPECT_DOUBLE_EQ(cut.bed_length, 52e-3);
@@ -125,11 +126,10 @@ TEST_F(StudyFile, TheRunInLengthensTheBedAndIsNotPartOfTheCutLength) {
 
 TEST_F(StudyFile, TheFineLayerOfAGradedBedGoesByTheDepth) {
   const std::string graded = by_depth + "fine_bed_depths = 2\nfine_bed_least_mm = 5\n";
-  const std::vector<campaigns::Job> jobs = campaigns::jobs(study(fx::head + fx::grid + graded));
+  const std::vector<studies::Job> jobs = studies::jobs(study(fx::head + fx::grid + graded));
   EXPECT_DOUBLE_EQ(jobs[0].cut.rock.fine_depth, 5e-3);  // 2 mm deep: 4 mm, below the least
   EXPECT_DOUBLE_EQ(jobs[1].cut.rock.fine_depth, 8e-3);  // 4 mm
-  EXPECT_NE(campaigns::job_hash(jobs[0]),
-            campaigns::job_hash(campaigns::jobs(study(fx::head + fx::grid + by_depth))[0]));
+  EXPECT_NE(studies::job_hash(jobs[0]), studies::job_hash(studies::jobs(study(fx::head + fx::grid + by_depth))[0]));
   EXPECT_EQ(message(fx::head + fx::grid + by_depth + "fine_bed_least_mm = 5\n"),
             "study.toml:10: by_depth.fine_bed_least_mm = 5 (it goes with the key in depths, which is not given)");
 }
@@ -145,14 +145,14 @@ TEST_F(StudyFile, SizesAreGivenOnce) {
 
 TEST_F(StudyFile, ACutThatJustFitsStaysOneWhenItsRunIsReadBack) {
   // three depths of rock below and beyond are just enough, whatever rounding does on the way through millimetres
-  const campaigns::Study tight =
+  const studies::Study tight =
       study(fx::head +
             "[grid]\ncutter_speeds_m_per_s = [1]\ndepths_of_cut_mm = [3.3, 3.7, 4.1, 4.3, 4.7]\nback_rakes_deg = [10]\n"
             "[by_depth]\ncut_length_depths = 7\nbed_height_depths = 3\nbed_beyond_depths = 3\n");
-  campaigns::open_folder(tight, dir / "camp");
-  for (const campaigns::Job& job : campaigns::jobs(tight)) {
+  studies::open_folder(tight, dir / "camp");
+  for (const studies::Job& job : studies::jobs(tight)) {
     fx::finish(job, dir / "camp");
-    EXPECT_TRUE(campaigns::finished_run(dir / "camp", job).has_value()) << job.cut.depth_of_cut;
+    EXPECT_TRUE(studies::finished_run(dir / "camp", job).has_value()) << job.cut.depth_of_cut;
   }
 }
 
@@ -168,8 +168,8 @@ TEST_F(StudyFile, MoreCutsThanMemoryHoldsAreRefusedWithTheirNumber) {
 }
 
 TEST_F(StudyFile, ADepthBelowOneGrainIsWarnedOfOnce) {
-  EXPECT_TRUE(campaigns::warnings(study(fx::study_text())).empty());
-  const auto warnings = campaigns::warnings(study(
+  EXPECT_TRUE(studies::warnings(study(fx::study_text())).empty());
+  const auto warnings = studies::warnings(study(
       fx::head + "[grid]\ncutter_speeds_m_per_s = [1, 2]\ndepths_of_cut_mm = [0.5, 2]\nback_rakes_deg = [10, 20]\n" +
       sizes));
   ASSERT_EQ(warnings.size(), 1u);
@@ -179,12 +179,12 @@ TEST_F(StudyFile, ADepthBelowOneGrainIsWarnedOfOnce) {
 
 TEST_F(StudyFile, ShippedStudiesAreGood) {
   const std::string campaigns_folder = BITROCK_SOURCE_DIR "/campaigns/";
-  const campaigns::Study paper = campaigns::read_study(campaigns_folder + "paper240.toml");
-  const std::vector<campaigns::Job> jobs = campaigns::jobs(paper);
+  const studies::Study paper = studies::read_study(campaigns_folder + "paper240.toml");
+  const std::vector<studies::Job> jobs = studies::jobs(paper);
   EXPECT_EQ(jobs.size(), 720u);
   EXPECT_LE(paper.common.rock.radius_min + paper.common.rock.radius_max, 0.5e-3 + 1e-12) << "mean grain diameter";
-  EXPECT_TRUE(campaigns::warnings(paper).empty());
-  EXPECT_EQ(campaigns::jobs(campaigns::read_study(campaigns_folder + "demo.toml")).size(), 8u);
+  EXPECT_TRUE(studies::warnings(paper).empty());
+  EXPECT_EQ(studies::jobs(studies::read_study(campaigns_folder + "demo.toml")).size(), 8u);
 }
 
 TEST_F(StudyFile, FineGrainsAreTheArticlesRockScaled) {
@@ -200,8 +200,8 @@ TEST_F(StudyFile, FineGrainsAreTheArticlesRockScaled) {
 }
 
 TEST_F(StudyFile, ThePlanCountsWhatIsToBeDone) {
-  const campaigns::Study two = study(fx::study_text());
-  const campaigns::Plan plan = campaigns::plan(two, dir / "none", 50.0);
+  const studies::Study two = study(fx::study_text());
+  const studies::Plan plan = studies::plan(two, dir / "none", 50.0);
   EXPECT_EQ(plan.cases, 4);
   EXPECT_EQ(plan.jobs, 8);
   EXPECT_EQ(plan.rocks, 2);
@@ -219,9 +219,9 @@ TEST_F(StudyFile, ThePlanCountsWhatIsToBeDone) {
   EXPECT_NEAR(plan.core_time, plan.disc_steps * 50e-9, 1e-9 * plan.core_time);
   EXPECT_FALSE(std::filesystem::exists(dir / "none")) << "a plan makes nothing";
 
-  campaigns::open_folder(two, dir / "camp");
-  fx::finish(campaigns::jobs(two)[0], dir / "camp");
-  const campaigns::Plan rest = campaigns::plan(two, dir / "camp", 50.0);
+  studies::open_folder(two, dir / "camp");
+  fx::finish(studies::jobs(two)[0], dir / "camp");
+  const studies::Plan rest = studies::plan(two, dir / "camp", 50.0);
   EXPECT_EQ(rest.done, 1);
   EXPECT_EQ(rest.parts[0].jobs, 3);
   EXPECT_LT(rest.core_time, plan.core_time);

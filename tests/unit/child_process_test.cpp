@@ -14,6 +14,8 @@
 #include "base/stop.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using base::run_program;

@@ -7,6 +7,8 @@
 
 #include "base/errors.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 struct Rock {

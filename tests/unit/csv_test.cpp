@@ -10,6 +10,8 @@
 #include "base/files.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 std::filesystem::path write(const std::string& text) {

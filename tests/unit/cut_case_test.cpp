@@ -9,6 +9,8 @@
 #include "dem2d/cut/run_cut.hpp"
 #include "dem2d/step/step.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 constexpr double deg = std::numbers::pi / 180.0;

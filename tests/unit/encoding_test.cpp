@@ -5,6 +5,8 @@
 
 #include "base/errors.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using namespace std::string_view_literals;

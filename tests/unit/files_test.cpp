@@ -10,6 +10,8 @@
 #include "base/errors.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 TEST(Files, WriteThenReadGivesTheSameBytes) {

@@ -8,10 +8,12 @@
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "dem2d/specimen/discs_file.hpp"
+#include "dem2d/files/discs_file.hpp"
+#include "dem2d/files/specimen_file.hpp"
 #include "dem2d/specimen/genesis.hpp"
-#include "dem2d/specimen/specimen_file.hpp"
 #include "tests/scratch.hpp"
+
+using namespace bitrock;
 
 namespace {
 

@@ -9,6 +9,8 @@
 #include "dem2d/specimen/genesis.hpp"
 #include "dem2d/specimen/grading.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 constexpr double width = 40e-3, height = 24e-3, fine_depth = 12e-3;

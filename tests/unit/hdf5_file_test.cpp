@@ -12,6 +12,8 @@
 #include "base/files.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 std::filesystem::path save(const std::string& name) {

@@ -11,6 +11,8 @@
 #include "tests/hostile_hdf5.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using Fill = std::function<void(hid_t)>;

@@ -7,6 +7,8 @@
 
 #include "dem2d/specimen/genesis.hpp"
 
+using namespace bitrock;
+
 namespace lab_specimens {
 
 inline constexpr double lattice_modulus = 1e9;  // E* [Pa]

@@ -7,9 +7,11 @@
 
 #include "base/errors.hpp"
 #include "base/random.hpp"
-#include "dem2d/cut/fragments.hpp"
+#include "dem2d/specimen/pieces.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -58,7 +60,7 @@ TEST(Neighbours, ALostDiscTakesItsJointsAlongAndOthersKeepTheirNames) {
   dem2d::World world = small_worlds::chain(4);
   dem2d::prepare(world);
   world.discs.y[1] = world.domain.y_high + 1.0;
-  world.lists_valid = false;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   EXPECT_EQ(world.removed_discs, 1);
   EXPECT_EQ(world.discs.id, (std::vector<int>{0, 2, 3}));
@@ -71,16 +73,16 @@ TEST(Neighbours, ALostDiscTakesItsJointsAlongAndOthersKeepTheirNames) {
 TEST(Neighbours, AJointEndsOnlyWhenBrokenAndFarApart) {
   dem2d::World world = small_worlds::chain(2);
   dem2d::prepare(world);
-  world.discs.x[1] += 1.5 * world.skin;
-  world.lists_valid = false;
+  world.discs.x[1] += 1.5 * world.lists.skin;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   EXPECT_EQ(world.joints.count(), 1) << "bonded joints stay, however long";
   for (auto& state : world.joints.state) state = dem2d::ElementState::broken_in_tension;
   world.joints.bonded[0] = 0;
-  world.lists_valid = false;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   EXPECT_EQ(world.joints.count(), 0);
-  EXPECT_EQ(world.energy.injected, 0.0);
+  EXPECT_EQ(world.ledger.accounts.injected, 0.0);
 }
 
 TEST(Neighbours, ADiscThatComesBackToABoundaryIsAStranger) {
@@ -93,7 +95,7 @@ TEST(Neighbours, ADiscThatComesBackToABoundaryIsAStranger) {
   const double there = world.discs.y[0];
   for (const double y : {there + 5.0 * small_worlds::radius, there}) {
     world.discs.y[0] = y;
-    world.lists_valid = false;
+    world.lists.valid = false;
     dem2d::refresh_neighbours(world);
   }
   EXPECT_EQ(world.boundaries[0].spring[0], 0.0);
@@ -114,7 +116,7 @@ TEST(Neighbours, HistoriesFollowTheirDiscsWhenOthersLeave) {
   world.contacts.spring = {9.0};
   world.contacts.touching = {1};
   world.discs.y[0] = world.domain.y_high + 1.0;
-  world.lists_valid = false;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   ASSERT_EQ(world.discs.id, (std::vector<int>{1, 2}));
   EXPECT_EQ(world.boundaries[0].near, (std::vector<int>{0, 1}));
@@ -137,7 +139,7 @@ TEST(Neighbours, AFlagOfTouchStaysWithItsPairWhenAnotherLeaves) {
   ASSERT_EQ(world.contacts.touching, (std::vector<char>{0, 1}));
   world.discs.y[0] = world.domain.y_high + 1.0;
   world.discs.x[3] += 0.2 * small_worlds::radius;  // and now they part: their force must end
-  world.lists_valid = false;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   ASSERT_EQ(world.contacts.touching, (std::vector<char>{1}));
   dem2d::find_forces(world);
@@ -160,7 +162,7 @@ TEST(Neighbours, NotANumberIsReportedWithItsDisc) {
 TEST(Fragments, PiecesAreNumberedBySize) {
   dem2d::World world = small_worlds::chain(5);
   world.joints.bonded[1] = 0;  // {0, 1} and {2, 3, 4}
-  EXPECT_EQ(dem2d::label_fragments(world), (std::vector<int>{1, 1, 0, 0, 0}));
+  EXPECT_EQ(dem2d::label_pieces(world), (std::vector<int>{1, 1, 0, 0, 0}));
 }
 
 }  // namespace

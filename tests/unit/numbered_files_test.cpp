@@ -6,6 +6,8 @@
 #include "base/files.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 const base::Series frames{.begin = "frame_", .end = ".png", .digits = 4};

@@ -1,7 +1,9 @@
 #pragma once
 /// A run made by hand for tests of what is written and drawn: nothing of it was computed.
 
-#include "dem2d/output/run_file.hpp"
+#include "dem2d/files/run_file.hpp"
+
+using namespace bitrock;
 
 namespace output_fixtures {
 

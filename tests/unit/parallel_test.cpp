@@ -11,6 +11,8 @@
 #include "base/errors.hpp"
 #include "base/stop.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 TEST(AvailableCores, AreThoseTheProgramIsBoundTo) {

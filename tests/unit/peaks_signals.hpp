@@ -11,6 +11,8 @@
 
 #include "base/random.hpp"
 
+using namespace bitrock;
+
 namespace peaks_signals {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();

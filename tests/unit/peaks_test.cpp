@@ -9,6 +9,8 @@
 #include "peaks/statistics.hpp"
 #include "tests/unit/peaks_signals.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using peaks_signals::infinity;

@@ -10,6 +10,8 @@
 
 #include "base/statistics.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 TEST(Random, StandardEngineGivesTheValueOfTheStandard) {

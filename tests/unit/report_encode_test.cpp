@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+using namespace bitrock;
+
 namespace {
 
 TEST(HtmlText, EscapesTheFiveCharactersAndNothingElse) {

@@ -11,6 +11,8 @@
 #include "base/files.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using report::heat_map_script, report::HeatMap, report::PictureFormat;

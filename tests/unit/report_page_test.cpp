@@ -10,7 +10,9 @@
 #include "base/errors.hpp"
 #include "report/embedded.hpp"
 #include "report/encode.hpp"
-#include "report/parity_plot.hpp"
+#include "views/networks/parity_plot.hpp"
+
+using namespace bitrock;
 
 namespace {
 
@@ -151,8 +153,8 @@ TEST(Page, RowSharesALegendOnlyWhenItIsTheSame) {
 
 TEST(Page, ParityPlotsInARow) {
   Page page("r");
-  const std::vector<report::ParityPoint> points{{.dem = 1.0, .network = 1.1}};
-  page.plots_in_row({report::parity_plot("amax", "N/m", points), report::parity_plot("np1", "1", points)});
+  const std::vector<views::ParityPoint> points{{.dem = 1.0, .network = 1.1}};
+  page.plots_in_row({views::parity_plot("amax", "N/m", points), views::parity_plot("np1", "1", points)});
   const std::string text = html(page);
   EXPECT_EQ(count(text, "class=\"legend\""), 1);
   EXPECT_EQ(count(text, "Within 15 %: training 100 %."), 2);

@@ -13,6 +13,8 @@
 #include "report/figure_json.hpp"
 #include "report/legend.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using report::Colour;

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+using namespace bitrock;
+
 namespace {
 
 using report::Colour;

@@ -7,7 +7,9 @@
 #include "base/files.hpp"
 #include "dem2d/cut/cut_case.hpp"
 #include "dem2d/cut/run_cut.hpp"
-#include "dem2d/output/run_file.hpp"
+#include "dem2d/files/run_file.hpp"
+
+using namespace bitrock;
 
 namespace {
 

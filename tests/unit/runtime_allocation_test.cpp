@@ -5,6 +5,8 @@
 #include "tests/allocations.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 TEST(Allocation, TheCounterCounts) {

@@ -13,6 +13,8 @@
 #include "runtime/bit/constant_speed.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using runtime_test::constant_model;
@@ -248,7 +250,7 @@ TEST(ConstantSpeed, FullFaceWithoutFrictionHasTheTorqueOfItsSpecificEnergy) {
   runtime::Bit bit = shipped_bit();
   bit.signal.window_angle = 2.0 * pi;
   const double amean = 2.0 * eps * depth;  // mean force is amean / 2
-  const runtime::PeakStatistics s{.amax = 2.0 * amean, .amean = amean, .np1 = 30.0, .np23 = 200.0, .np4 = 30.0};
+  const peaks::PeakRates s{.amax = 2.0 * amean, .amean = amean, .np1 = 30.0, .np23 = 200.0, .np4 = 30.0};
   const runtime::Signal signal = runtime::constant_speed_signal(
       bit, constant_model({.x = s, .y = s}),
       {.rotation = 2.0 * pi, .rate_of_penetration = depth, .duration = turns, .rate = 2000.0});

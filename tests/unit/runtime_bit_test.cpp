@@ -9,6 +9,8 @@
 #include "base/errors.hpp"
 #include "runtime/bit/asked_range.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 const std::string bit_table = "[bit]\nname = 'b'\ndiameter_mm = 200\n";

@@ -9,6 +9,8 @@
 #include "runtime/drillstring/steadiness.hpp"
 #include "tests/verification/drillstring_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using runtime::condition, runtime::DrillCondition, runtime::DrillSummary;

@@ -14,6 +14,8 @@
 #include "runtime/core/core.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using runtime_test::usual_pair;
@@ -600,6 +602,40 @@ TEST(Core, ACopiedBitGoesOnFromWhereTheOriginalIs) {
     const runtime::BitMotion motion{.angle = 0.4 + 0.02 * i, .rotation = 6.0, .rate_of_penetration = 2e-3};
     ASSERT_EQ(copy.at(motion).torque, again.at(motion).torque);
   }
+}
+
+/// The C interface and `BitForce` stand beside each other over one core: the same forces, tallies and states.
+TEST(Core, TheCInterfaceHasTheBitsOfBitForce) {
+  const surrogate::Model model = lively_model();
+  const runtime::Bit bit = three_cutters();
+  const runtime::CoreDescription description = runtime::describe(bit, model);
+  const Made c = made(description.plain);
+  runtime::BitForce cpp(bit, model);
+  base::Random random(11);
+  double angle = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    angle += 0.01 * (base::uniform(random) - 0.1);
+    const double rotation = 1.0 + 20.0 * base::uniform(random), rop = 4e-3 * base::uniform(random) - 2e-4;
+    const bitrock_load load = load_at(c.core, angle, rotation, rop);
+    const runtime::BitLoad seen = cpp.at({.angle = angle, .rotation = rotation, .rate_of_penetration = rop});
+    ASSERT_EQ(load.axial_force_N, seen.axial_force);
+    ASSERT_EQ(load.torque_N_m, seen.torque);
+  }
+  bitrock_tally tally{};
+  ASSERT_EQ(bitrock_core_tally(c.core, &tally), BITROCK_OK);
+  EXPECT_GT(tally.asked, 100);
+  EXPECT_EQ(tally.asked, cpp.clamps().asked);
+  EXPECT_EQ(tally.depth_below, cpp.clamps().depth_below);
+  EXPECT_EQ(tally.speed_above, cpp.clamps().speed_above);
+  EXPECT_EQ(tally.drawn, cpp.draws().drawn);
+  EXPECT_EQ(tally.mean_missed, cpp.draws().mean_missed);
+  std::size_t bytes = 0;
+  ASSERT_EQ(bitrock_core_state_size(c.core, &bytes), BITROCK_OK);
+  ASSERT_EQ(bytes, cpp.state_size());
+  std::vector<std::byte> of_c(bytes), of_cpp(bytes);
+  ASSERT_EQ(bitrock_core_save(c.core, of_c.data(), bytes), BITROCK_OK);
+  cpp.save(of_cpp);
+  EXPECT_EQ(std::memcmp(of_c.data(), of_cpp.data(), bytes), 0);
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 
 #include "tests/unit/runtime_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using runtime::Combine;
@@ -120,7 +122,7 @@ TEST(PeakWindow, AreaIsTheSumOfHeightTimesHalfWidth) {
 }
 
 TEST(PeakWindow, IsolatedPulseHasTheExactAreaOfItsSquare) {
-  const runtime::PeakStatistics one{.amax = 5.0, .amean = 5.0, .np1 = 10.0};  // 10 / m on 0.1 m: one peak
+  const peaks::PeakRates one{.amax = 5.0, .amean = 5.0, .np1 = 10.0};  // 10 / m on 0.1 m: one peak
   const runtime::PeakWindow window = drawn(usual_settings(), 1, 0, {.x = one, .y = one});
   runtime::PulseTrain train = alone(window, 1.0);
   const double square = runtime_test::integral(runtime_test::break_points(train, 0.0, 3.0), [&](double angle) {
@@ -312,7 +314,7 @@ TEST(PeakWindow, PulsesAreAsWideInShortWindowsAsInLongOnes) {
 
 TEST(PeakWindow, MeanForceHoldsOverWindowsThatAreOftenEmpty) {
   // 40 peaks a metre on 15 mm: 0.6 peaks a window, four windows of ten empty
-  const runtime::PeakStatistics sparse{.amax = 2e5, .amean = 0.6e5, .np1 = 4.0, .np23 = 12.0, .np4 = 24.0};
+  const peaks::PeakRates sparse{.amax = 2e5, .amean = 0.6e5, .np1 = 4.0, .np23 = 12.0, .np4 = 24.0};
   runtime::SignalSettings settings = usual_settings();
   settings.window_angle = 0.15;
   const int windows = 20000;
@@ -329,7 +331,7 @@ TEST(PeakWindow, MeanForceHoldsOverWindowsThatAreOftenEmpty) {
 }
 
 TEST(PeakWindow, APulseReachesNoFurtherThanTheNextWindow) {
-  const runtime::PeakStatistics rare{.amax = 2.0, .amean = 1.0, .np23 = 2.0};  // 0.2 peaks expected
+  const peaks::PeakRates rare{.amax = 2.0, .amean = 1.0, .np23 = 2.0};  // 0.2 peaks expected
   runtime::SignalSettings settings = usual_settings();
   int narrowed = 0;
   for (int k = 0; k < 100; ++k) {
@@ -343,8 +345,8 @@ TEST(PeakWindow, APulseReachesNoFurtherThanTheNextWindow) {
 
 TEST(CutterForce, TallyCountsWhatCouldNotBeGranted) {
   runtime::CutterForce cutter = runtime_test::cutter_force(usual_settings(), 1, radius);
-  const runtime::PeakStatistics alone{.amax = 2.0, .amean = 1.0, .np1 = 10.0};  // one peak, of the top band
-  const runtime::PeakStatistics crowd{.amax = 2.0, .amean = 1.0, .np1 = 1e5, .np23 = 1e5, .np4 = 1e5};
+  const peaks::PeakRates alone{.amax = 2.0, .amean = 1.0, .np1 = 10.0};  // one peak, of the top band
+  const peaks::PeakRates crowd{.amax = 2.0, .amean = 1.0, .np1 = 1e5, .np23 = 1e5, .np4 = 1e5};
   enter_window(cutter, 0, {.x = alone, .y = crowd});
   EXPECT_EQ(cutter.memory.tally.drawn, 6);
   EXPECT_EQ(cutter.memory.tally.mean_missed, 3);

@@ -9,6 +9,8 @@
 #include "tests/allocations.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -13,6 +13,8 @@
 #include "base/hdf5_file.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 const std::string text = R"(name = "short \"string\""

@@ -8,10 +8,12 @@
 #include "runtime/signal/cutter_force.hpp"
 #include "surrogate/net/model.hpp"
 
+using namespace bitrock;
+
 namespace runtime_test {
 
 /// Some 30 peaks on 0.1 m of cut, 0.36 amax in the mean.
-inline runtime::PeakStatistics usual_statistics() {
+inline peaks::PeakRates usual_statistics() {
   return {.amax = 3e5, .amean = 1.1e5, .np1 = 33.0, .np23 = 101.0, .np4 = 160.0};
 }
 
@@ -74,9 +76,9 @@ inline surrogate::Model constant_model(const runtime::CutterStatistics& answer) 
   surrogate::Model model;
   const std::array<double, 3> low{0.05, 0.2, 10.0}, high{1.0, 4.0, 30.0};
   for (std::size_t i = 0; i < low.size(); ++i) model.inputs[i] = {.low = low[i], .high = high[i]};
-  const std::array<runtime::PeakStatistics, 2> components{answer.x, answer.y};
+  const std::array<peaks::PeakRates, 2> components{answer.x, answer.y};
   for (std::size_t c = 0; c < components.size(); ++c) {
-    const runtime::PeakStatistics& s = components[c];
+    const peaks::PeakRates& s = components[c];
     const std::array<double, 5> values{s.amax, s.amean, s.np1, s.np23, s.np4};
     for (std::size_t k = 0; k < values.size(); ++k) {
       surrogate::OutputModel& output = model.outputs[5 * c + k];

@@ -16,6 +16,8 @@
 #include "runtime/laws/rock_contact.hpp"
 #include "tests/allocations.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 constexpr double rpm = 2.0 * std::numbers::pi / 60.0;  // [rad/s]

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+using namespace bitrock;
+
 namespace {
 
 using runtime::AmplitudeFit;
@@ -92,7 +94,7 @@ TEST(PeakAmplitudes, NoPeaksAndNoForce) {
 
 /// Heights of a window whose counts are rounded from these expected numbers.
 Drawn drawn_short(const std::array<double, 3>& expected, double relative_mean, AmplitudeFit fit, std::int64_t window) {
-  const runtime::PeakStatistics statistics{
+  const peaks::PeakRates statistics{
       .amax = amax, .amean = relative_mean * amax, .np1 = expected[0], .np23 = expected[1], .np4 = expected[2]};
   const runtime::WindowKey key{.seed = 11, .cutter = 2, .window = window};
   const runtime::PeakCounts counts = count_peaks(statistics, 1.0, key);

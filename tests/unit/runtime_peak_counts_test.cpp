@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+using namespace bitrock;
+
 namespace {
 
 runtime::WindowKey key(std::int64_t window) {
@@ -12,7 +14,7 @@ runtime::WindowKey key(std::int64_t window) {
 }
 
 TEST(PeakCounts, WholeExpectationsAreKept) {
-  const runtime::PeakStatistics statistics{.np1 = 30.0, .np23 = 100.0, .np4 = 200.0};
+  const peaks::PeakRates statistics{.np1 = 30.0, .np23 = 100.0, .np4 = 200.0};
   for (int k = 0; k < 100; ++k) {
     const runtime::PeakCounts counts = count_peaks(statistics, 0.125 * 0.8, key(k));
     EXPECT_EQ(counts.n1, 3);
@@ -23,7 +25,7 @@ TEST(PeakCounts, WholeExpectationsAreKept) {
 }
 
 TEST(PeakCounts, RoundingKeepsTheMeanOfEachBand) {
-  const runtime::PeakStatistics statistics{.np1 = 12.5, .np23 = 33.1, .np4 = 47.7};
+  const peaks::PeakRates statistics{.np1 = 12.5, .np23 = 33.1, .np4 = 47.7};
   const int windows = 4000;
   double n1 = 0.0, n23 = 0.0, n4 = 0.0;
   for (int k = 0; k < windows; ++k) {
@@ -40,7 +42,7 @@ TEST(PeakCounts, RoundingKeepsTheMeanOfEachBand) {
 
 TEST(PeakCounts, LessThanOnePeakExpectedIsOnePeakInSomeWindows) {
   // 40 peaks a metre on 15 mm: 0.06 + 0.18 + 0.36 = 0.6 peaks
-  const runtime::PeakStatistics statistics{.np1 = 4.0, .np23 = 12.0, .np4 = 24.0};
+  const peaks::PeakRates statistics{.np1 = 4.0, .np23 = 12.0, .np4 = 24.0};
   const int windows = 20000;
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     double n1 = 0.0, n23 = 0.0, n4 = 0.0;
@@ -59,7 +61,7 @@ TEST(PeakCounts, LessThanOnePeakExpectedIsOnePeakInSomeWindows) {
 }
 
 TEST(PeakCounts, DependOnTheAddressAlone) {
-  const runtime::PeakStatistics statistics{.np1 = 4.0, .np23 = 12.0, .np4 = 24.0};
+  const peaks::PeakRates statistics{.np1 = 4.0, .np23 = 12.0, .np4 = 24.0};
   const auto total = [&](const runtime::WindowKey& k) { return count_peaks(statistics, 0.015, k).total(); };
   int other_seed = 0, other_cutter = 0;
   for (int k = 0; k < 100; ++k) {
@@ -74,7 +76,7 @@ TEST(PeakCounts, DependOnTheAddressAlone) {
 }
 
 TEST(PeakCounts, TheLengthOfAWindowIsItsArcHoweverItComesAbout) {
-  const runtime::PeakStatistics statistics{.np1 = 33.0, .np23 = 101.0, .np4 = 160.0};
+  const peaks::PeakRates statistics{.np1 = 33.0, .np23 = 101.0, .np4 = 160.0};
   for (const double arc : {0.001, 0.015, 0.1, 0.4}) {
     const runtime::PeakCounts counts = count_peaks(statistics, arc, key(0));
     EXPECT_DOUBLE_EQ(counts.nu1, 33.0 * arc);
@@ -102,8 +104,7 @@ TEST(PeakCounts, AboveTheCapAllBandsShrinkByOneFactor) {
 }
 
 TEST(PeakStatistics, NegativesBecomeZeroAndTheMeanIsAtMostTheLargest) {
-  const runtime::PeakStatistics got =
-      runtime::usable({.amax = 2.0, .amean = 3.0, .np1 = -1.0, .np23 = -2.0, .np4 = 4.0});
+  const peaks::PeakRates got = runtime::usable({.amax = 2.0, .amean = 3.0, .np1 = -1.0, .np23 = -2.0, .np4 = 4.0});
   EXPECT_EQ(got.amean, 2.0);
   EXPECT_EQ(got.np1, 0.0);
   EXPECT_EQ(got.np23, 0.0);

@@ -7,6 +7,8 @@
 
 #include "tests/unit/runtime_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 TEST(Step5, StepIsFlatOutsideAndHasTheExactValuesInside) {

@@ -8,6 +8,8 @@
 #include "dem2d/step/step.hpp"
 #include "dem2d/step/world.hpp"
 
+using namespace bitrock;
+
 namespace small_worlds {
 
 inline constexpr double radius = 1e-3;     // [m]
@@ -28,9 +30,9 @@ inline dem2d::JointProperties properties(double strength = std::numeric_limits<d
 inline dem2d::World empty(int threads = 1) {
   dem2d::World world;
   world.threads = threads;
-  world.contact_modulus = modulus;
-  world.contact_stiffness_ratio = 2.0;
-  world.contact_friction = 0.5;
+  world.materials.contact_modulus = modulus;
+  world.materials.contact_stiffness_ratio = 2.0;
+  world.materials.contact_friction = 0.5;
   world.domain = {-1.0, -1.0, 1.0, 1.0};
   world.joints.elements = 4;
   return world;

@@ -12,6 +12,8 @@
 #include "base/errors.hpp"
 #include "base/random.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 constexpr double rate = 500.0;  // [Hz]

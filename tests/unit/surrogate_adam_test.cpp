@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+using namespace bitrock;
+
 namespace {
 
 TEST(SurrogateAdam, TenStepsAgreeWithTheRecurrenceInDecimalArithmetic) {

@@ -6,6 +6,8 @@
 #include "base/text.hpp"
 #include "tests/unit/surrogate_fixture.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::TrainingData;

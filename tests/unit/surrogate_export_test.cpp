@@ -21,6 +21,8 @@
 #include "tests/export/mixed_model.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::CutConditions;

@@ -14,6 +14,8 @@
 #include "surrogate/net/model.hpp"
 #include "surrogate/train/data.hpp"
 
+using namespace bitrock;
+
 namespace surrogate_fixture {
 
 /// A folder of its own, removed at the end.

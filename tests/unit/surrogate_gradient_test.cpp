@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::Batch;

@@ -9,6 +9,8 @@
 #include "tests/allocations.hpp"
 #include "tests/unit/surrogate_fixture.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::CutConditions;

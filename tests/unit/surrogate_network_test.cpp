@@ -9,6 +9,8 @@
 
 #include "base/errors.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::Network;

@@ -10,6 +10,8 @@
 
 #include "base/random.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::effective_degrees;

@@ -8,6 +8,8 @@
 
 #include "tests/unit/surrogate_fixture.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::CaseRole;

@@ -9,6 +9,8 @@
 #include "surrogate/train/baseline.hpp"
 #include "tests/unit/surrogate_fixture.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::Candidate;

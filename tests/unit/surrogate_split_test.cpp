@@ -9,6 +9,8 @@
 
 #include "tests/unit/surrogate_fixture.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::split_cases;

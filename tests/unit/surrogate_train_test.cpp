@@ -11,6 +11,8 @@
 #include "surrogate/train/parity.hpp"
 #include "tests/unit/surrogate_fixture.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using surrogate::Model;

@@ -7,6 +7,8 @@
 #include "base/errors.hpp"
 #include "base/units.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 TEST(Text, NearestNameFindsTyposAndNothingElse) {

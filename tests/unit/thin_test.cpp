@@ -10,6 +10,8 @@
 
 #include "base/random.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 std::vector<double> noise(std::size_t count) {

@@ -8,6 +8,8 @@
 #include "dem2d/tool/convex_polygon.hpp"
 #include "dem2d/tool/cutter.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 TEST(ConvexPolygon, NearestPointOfAFaceACornerAndTheInside) {

@@ -12,6 +12,8 @@
 #include "base/temporary_folder.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace bitrock;
+
 namespace {
 
 using base::between, base::unit_hint;

@@ -9,6 +9,8 @@
 #include "base/files.hpp"
 #include "tests/scratch.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 TEST(Zip, HasTheLayoutOfTheFormat) {

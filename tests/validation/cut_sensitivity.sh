@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What the forces of a cut depend on besides the rock and the cut itself (docs/validation.md): one change of
+# What the forces of a cut depend on besides the rock and the cut itself (docs/results/validation.md): one change of
 # tests/validation/cut/base.toml at a time, eight rocks each. Stop and repeat at will: finished cuts stay in FOLDER.
 # Run from the root of the repository; some 20 minutes of one core.
 #   tests/validation/cut_sensitivity.sh [FOLDER]        B: the program, JOBS: cuts at a time

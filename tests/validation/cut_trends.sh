@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What tables of cuts say about rock cutting (docs/validation.md): specific energy over rake and depth, direction of the
+# What tables of cuts say about rock cutting (docs/results/validation.md): specific energy over rake and depth, direction of the
 # force, speed, chips, as markdown with standard errors; with -o also the figure cut_trends.png.
 #   tests/validation/cut_trends.sh [-o FOLDER] [-u UCS_MPa] [-g GRAIN_mm] [-f FRICTION] FEATURES.csv...
 # FEATURES.csv is one row a cut, as `bitrock campaign collect` writes it; the same row in two files counts once.

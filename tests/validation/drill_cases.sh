@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The three cases of the drill string (docs/validation.md): under the networks, a sine and white noise of equal mean and
+# The three cases of the drill string (docs/results/validation.md): under the networks, a sine and white noise of equal mean and
 # RMS over ten seeds; what each assumption decides; the map of the stick-slip string. Writes runs, tables and the map into
 # FOLDER and Markdown to the standard output; some minutes of one core.
 #   tests/validation/drill_cases.sh FOLDER MODEL.json        B: the program

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Puts tables where they belong in docs/validation.md: what comes in replaces the lines between <!-- NAME --> and
+# Puts tables where they belong in docs/results/validation.md: what comes in replaces the lines between <!-- NAME --> and
 # <!-- end of NAME -->.
 #   tests/validation/cut_trends.sh FEATURES.csv | tests/validation/into_page.sh cut_trends
 set -euo pipefail
 name=${1:?usage: into_page.sh NAME [PAGE]}
-page=${2:-docs/validation.md}
+page=${2:-docs/results/validation.md}
 for mark in "<!-- $name -->" "<!-- end of $name -->"; do
   grep -qxF -- "$mark" "$page" || { echo "into_page: $page has no line $mark" >&2; exit 2; }
 done

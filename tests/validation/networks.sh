@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The networks, examined (docs/validation.md): kinds compared by cross-validation, then the chosen one, and the article's
+# The networks, examined (docs/results/validation.md): kinds compared by cross-validation, then the chosen one, and the article's
 # procedure beside it, against cases neither has seen. Writes the model, its pages and figures into FOLDER and Markdown to
 # the standard output; two minutes of one core.
 #   tests/validation/networks.sh FOLDER FEATURES.csv        B: the program

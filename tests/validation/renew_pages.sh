@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Everything in the repository that follows from the data set, made anew when the data set has changed: trends of the cut,
 # networks (model.json) and their parity pictures, the three drilling cases, the map and the pictures of the drill string.
-# Tables go into docs/validation.md, pictures into docs/figures. The prose around the tables is yours: read it afterwards.
+# Tables go into docs/results/validation.md, pictures into docs/figures. The prose around the tables is yours: read it afterwards.
 # Intermediate files are kept in FOLDER; two minutes of two cores. B: the program.
 #   tests/validation/renew_pages.sh [FOLDER]
 set -euo pipefail
@@ -32,4 +32,4 @@ for case in normal stick_slip bit_bounce; do
   "$B" report "$out/$case.h5" -o "$out/$case.html" --figures "$out/$case" --quiet
   cp "$out/$case/drill_run.png" $figures/drill_$case.png
 done
-stage "Done. Read docs/validation.md: does the prose still tell what the tables say?"
+stage "Done. Read docs/results/validation.md: does the prose still tell what the tables say?"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What decides the ratio of compressive to tensile strength (docs/validation.md): one change of campaigns/rocks/start.toml
+# What decides the ratio of compressive to tensile strength (docs/results/validation.md): one change of campaigns/rocks/start.toml
 # at a time, four specimens each. Run from the root of the repository; about five minutes on two cores.
 #   tests/validation/strength_ratio.sh [FOLDER]
 set -euo pipefail

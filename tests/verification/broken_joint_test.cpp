@@ -9,6 +9,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -21,7 +23,7 @@ class BrokenJoint : public verification::JointPaths {
   /// the larger one is disc 1 instead of disc 0, in the world and in the joint.
   dem2d::World pair(Bond bond, bool swapped) const {
     dem2d::World world = on_path(small_worlds::empty());
-    world.contact_damping_ratio = 0.2;
+    world.materials.contact_damping_ratio = 0.2;
     for (const bool larger : {!swapped, swapped}) {
       if (larger) {
         dem2d::add_disc(world.discs, 0.0, 0.0, radius, small_worlds::density);
@@ -135,7 +137,7 @@ TEST_P(BrokenJoint, WithoutStrengthItBreaksAtOnceAndIsAsNeverBondedAfterwards) {
 
 TEST_P(BrokenJoint, OnceOverItIsAsNeverThere) {
   dem2d::World world = on_path(small_worlds::chain(2));
-  world.contact_damping_ratio = 0.2;
+  world.materials.contact_damping_ratio = 0.2;
   break_all(world, dem2d::ElementState::broken_in_tension);
   dem2d::prepare(world);
   world.step = 1e-7;

@@ -17,6 +17,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -37,7 +39,7 @@ class Cantilever : public verification::JointPaths {
   /// Moves the last disc up to `deflection` in 100 steps, then lets local damping bring the row to rest.
   AtRest bent(int joints) const {
     dem2d::World world = on_path(small_worlds::chain(joints + 1));
-    world.local_damping = 0.7;
+    world.materials.local_damping = 0.7;
     dem2d::prepare(world);
     world.step = dem2d::critical_step(world);
     dem2d::Discs& d = world.discs;

@@ -8,6 +8,8 @@
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::modulus;
@@ -23,7 +25,7 @@ dem2d::World loose_pair(double overlap) {
 
 TEST(LoosePair, CollidesAsTheHandSteppedSpringAndDashpot) {
   dem2d::World world = loose_pair(0.0);
-  world.contact_damping_ratio = 0.3;
+  world.materials.contact_damping_ratio = 0.3;
   world.discs.velocity_x = {1.0, -2.0};
   dem2d::prepare(world);
   world.step = 1e-8;
@@ -73,7 +75,7 @@ TEST(LoosePair, KeepsItsShearWhenTheListsAreMadeAnew) {
   ASSERT_EQ(world.contacts.count(), 2);
   world.contacts.spring = {3.0, 5.0};
   dem2d::add_disc(world.discs, 0.0, 1.6 * radius, 0.5 * radius, 2500.0);
-  world.lists_valid = false;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   ASSERT_EQ(world.contacts.count(), 3);
   EXPECT_EQ(world.contacts.spring, (std::vector<double>{3.0, 5.0, 0.0}));
@@ -138,7 +140,7 @@ TEST(Joint, ACrackIsRecordedWhereItsElementIs) {
   EXPECT_NEAR(crack.y, radius * s + along * c, 1e-12);
   EXPECT_NEAR(crack.normal_angle, std::numbers::pi / 6.0, 1e-12);
   EXPECT_DOUBLE_EQ(crack.length, 0.5 * radius);
-  EXPECT_EQ(crack.mode, 1);
+  EXPECT_EQ(crack.mode, dem2d::ElementState::broken_in_tension);
 }
 
 TEST(Joint, EndsAfterSlidingItsLengthAndTheEnergyChangeIsLogged) {
@@ -149,18 +151,18 @@ TEST(Joint, EndsAfterSlidingItsLengthAndTheEnergyChangeIsLogged) {
   world.discs.x[1] -= 1e-6;  // pressed
   for (double& stress : world.joints.element_shear_stress) stress = 2e3;
   world.joints.shear_displacement[0] = 1.99 * radius;
-  world.lists_valid = false;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   ASSERT_EQ(world.joints.count(), 1);
   world.joints.shear_displacement[0] = -2.01 * radius;
-  world.lists_valid = false;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   EXPECT_EQ(world.joints.count(), 0);
   EXPECT_EQ(world.contacts.count(), 1);
   const double kn = modulus / (2.0 * radius);
   const double held = (0.5 * kn * 1e-12 + 0.5 * 2e3 * 2e3 / (kn / 2.0)) * 2.0 * radius;
   const double taken_over = 0.5 * modulus * 1e-12;  // kn = A E / L = E for equal discs
-  EXPECT_NEAR(world.energy.injected, taken_over - held, 1e-9 * taken_over);
+  EXPECT_NEAR(world.ledger.accounts.injected, taken_over - held, 1e-9 * taken_over);
 }
 
 /// A bed of two joined discs that the cutter's face hits: all forces end in the momentum of the pair.

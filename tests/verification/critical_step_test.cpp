@@ -14,6 +14,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -125,14 +127,14 @@ double energy_left(double factor, double friction) {
   const double width = 20e-3, height = 15e-3;  // some 230 discs
   static const double bound = dem2d::critical_step(
       dem2d::bonded_world(dem2d::make_specimen(rock, width, height, 3, 1), 1), dem2d::longest_step_factor);
-  static const dem2d::World packed = dem2d::pack(rock, width, height, 3, 1).world;
+  static const dem2d::World packed = studies::pack(rock, width, height, 3, 1).world;
   dem2d::World world = packed;
-  world.local_damping = 0.0;
-  world.contact_stiffness_ratio = rock.contact_stiffness_ratio;
-  world.contact_damping_ratio = rock.contact_damping_ratio;
-  world.contact_friction = friction;
+  world.materials.local_damping = 0.0;
+  world.materials.contact_stiffness_ratio = rock.contact_stiffness_ratio;
+  world.materials.contact_damping_ratio = rock.contact_damping_ratio;
+  world.materials.contact_friction = friction;
   world.contacts = {};  // to be found again, with these laws
-  world.lists_valid = false;
+  world.lists.valid = false;
   base::Random random(5);
   for (std::size_t i = 0; i < world.discs.x.size(); ++i) {
     world.discs.velocity_x[i] = base::uniform(random, -1e-4, 1e-4);

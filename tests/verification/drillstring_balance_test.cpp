@@ -7,6 +7,8 @@
 #include "tests/unit/runtime_fixtures.hpp"
 #include "tests/verification/drillstring_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using drillstring_test::pipe, drillstring_test::rpm, drillstring_test::short_string;

@@ -6,6 +6,8 @@
 
 #include "runtime/drillstring/drill_string.hpp"
 
+using namespace bitrock;
+
 namespace drillstring_test {
 
 inline constexpr double rpm = 2.0 * std::numbers::pi / 60.0;  // [rad/s]

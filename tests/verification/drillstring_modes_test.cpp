@@ -10,6 +10,8 @@
 #include "runtime/drillstring/modes.hpp"
 #include "tests/verification/drillstring_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using drillstring_test::pipe, drillstring_test::rpm, drillstring_test::short_string;

@@ -14,6 +14,8 @@
 
 #include "tests/verification/drillstring_fixtures.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using drillstring_test::four_discs, drillstring_test::one_disc;

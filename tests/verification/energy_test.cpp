@@ -11,20 +11,22 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::modulus;
 using small_worlds::radius;
 
 void start(dem2d::World& world, double step_over_critical) {
-  world.measure_energy = true;
+  world.ledger.measured = true;
   dem2d::prepare(world);
   world.step = step_over_critical * dem2d::critical_step(world);
 }
 
 /// The same for a disc that does not touch its floor yet: a step in units of sqrt(m / kn).
 void start_on_floor(dem2d::World& world, double step_times_frequency) {
-  world.measure_energy = true;
+  world.ledger.measured = true;
   dem2d::prepare(world);
   world.step = step_times_frequency * std::sqrt(world.discs.mass[0] / (2.0 * modulus));
 }
@@ -68,7 +70,7 @@ TEST_P(EnergyOfAPair, APairThatBreaksClosesItsLedger) {
   // modes, the rest rubs, opens and closes. All that was there is the kinetic energy of the start.
   dem2d::World world = on_path(small_worlds::chain(2, 2e6));
   for (double& cohesion : world.joints.cohesion) cohesion = 2e6;
-  world.local_damping = 0.1;
+  world.materials.local_damping = 0.1;
   world.discs.velocity_x = {-2.0, -2.2};
   world.discs.velocity_y = {0.0, 3.0};
   world.discs.spin = {-4000.0, 2000.0};
@@ -92,7 +94,7 @@ TEST_P(EnergyOfAPair, WorkOfAStrikingBoundaryIsFoundAgain) {
   // broken. The only input is the work of the boundary, which has friction and dashpots.
   dem2d::World world = on_path(small_worlds::chain(2, 1e6));
   for (double& cohesion : world.joints.cohesion) cohesion = 1.5e6;
-  world.local_damping = 0.1;
+  world.materials.local_damping = 0.1;
   world.boundaries.push_back({.shape = dem2d::rectangle(2.2 * radius, 1.01 * radius, 4.0 * radius, 3.0 * radius),
                               .velocity_y = -5.0,
                               .modulus = modulus,
@@ -118,7 +120,7 @@ TEST_P(EnergyOfAPair, ABreakReleasesWhatTheStrengthSays) {
     dem2d::set_mass(world.discs, disc, 1e6, world.discs.inertia[disc]);
   }  // heavy discs are moved, not stopped, by the joint: a steady pull
   world.discs.velocity_x = {-0.5e-3, 0.5e-3};
-  world.measure_energy = true;
+  world.ledger.measured = true;
   dem2d::prepare(world);
   world.step = strength / kn / 1e-3 / 2000.5;  // breaks within step 2001
   const dem2d::Energies last = run(world, 2010);
@@ -176,7 +178,7 @@ TEST(Energy, LocalDampingTakesItsShareOfForceTimesWay) {
   const double alpha = 0.25;
   dem2d::World world = small_worlds::disc_above_floor(0.0);
   world.boundaries[0].friction = 0.0;
-  world.local_damping = alpha;
+  world.materials.local_damping = alpha;
   world.discs.velocity_y[0] = -1.0;
   start_on_floor(world, 0.02);
   const double kinetic = 0.5 * world.discs.mass[0];
@@ -247,11 +249,11 @@ TEST(Energy, AJointThatEndsBooksItsLastHalfStepAlsoWhenAnotherDiscIsLost) {
   dem2d::find_forces(world);
   world.joints.shear_displacement[1] = 2.1 * radius;
   world.discs.y[0] = world.domain.y_high + 1.0;
-  world.lists_valid = false;
+  world.lists.valid = false;
   dem2d::refresh_neighbours(world);
   ASSERT_EQ(world.joints.count(), 0);
   const double half_step = 0.5 * world.step * modulus * overlap * 3.0;
-  EXPECT_NEAR(world.energy.injected, -half_step, 1e-6 * half_step);
+  EXPECT_NEAR(world.ledger.accounts.injected, -half_step, 1e-6 * half_step);
 }
 
 /// What the scheme swallows when a spring closes, averaged over where in the step it closes.
@@ -261,7 +263,7 @@ double mean_switching(const MakeWorld& make, double speed, double dt, int steps)
   const int phases = 64;
   for (int phase = 0; phase < phases; ++phase) {
     dem2d::World world = make((1.0 + (phase + 0.5) / phases) * speed * dt);
-    world.measure_energy = true;
+    world.ledger.measured = true;
     dem2d::prepare(world);
     world.step = dt;
     sum += run(world, steps).switching / phases;

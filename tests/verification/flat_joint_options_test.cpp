@@ -13,6 +13,8 @@
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using dem2d::ElementState;
@@ -148,11 +150,11 @@ TEST(JointTypes, AGappedJointCarriesNothingUntilItsGapIsClosed) {
   world.step = 1e-9;
   world.discs.x[1] = 2e-3 - 1.5e-6;
   small_worlds::joint_forces(world);
-  EXPECT_EQ(world.joint_forces[0].x, 0.0);
+  EXPECT_EQ(world.room.joint_forces[0].x, 0.0);
   world.discs.x[1] = 2e-3 - 3e-6;
   small_worlds::joint_forces(world);
   const double kn = small_worlds::modulus / 2e-3;
-  EXPECT_NEAR(world.joint_forces[0].x, -kn * 1e-6 * 2e-3, 1e-9 * kn * 1e-6 * 2e-3);
+  EXPECT_NEAR(world.room.joint_forces[0].x, -kn * 1e-6 * 2e-3, 1e-9 * kn * 1e-6 * 2e-3);
 }
 
 TEST(StrengthScatter, HasTheMeanAndDeviationOfTheRock) {
@@ -207,7 +209,7 @@ TEST(ShearDashpot, AddsItsForceWhileTheContactSticksOnly) {
 
 TEST(ShearDashpot, ConstantOfAPairFollowsFromItsShareOfCritical) {
   dem2d::World world = small_worlds::empty();
-  world.contact_shear_damping_ratio = 0.3;
+  world.materials.contact_shear_damping_ratio = 0.3;
   for (const double x : {0.0, 2.001e-3}) dem2d::add_disc(world.discs, x, 0.0, 1e-3, 2500.0);
   dem2d::prepare(world);
   ASSERT_EQ(world.contacts.count(), 1);

@@ -12,6 +12,8 @@
 #include "base/random.hpp"
 #include "dem2d/contact/flat_joint_energy.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using dem2d::ElementState;

@@ -19,6 +19,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -77,10 +79,10 @@ class Cluster : public verification::JointPaths {
 
     dem2d::World world = on_path(small_worlds::empty());
     world.domain = {-10.0, -10.0, 10.0, 10.0};
-    world.contact_damping_ratio = 0.3;
-    world.local_damping = placement.local_damping;
+    world.materials.contact_damping_ratio = 0.3;
+    world.materials.local_damping = placement.local_damping;
     world.reference_path = world.reference_path != placement.other_path;
-    world.measure_energy = placement.measures_energy;
+    world.ledger.measured = placement.measures_energy;
     world.threads = placement.threads;
     for (int k = 0; k < discs; ++k) {
       Start s = starts[static_cast<std::size_t>(placement.numbered_backwards ? discs - 1 - k : k)];
@@ -118,7 +120,7 @@ class Cluster : public verification::JointPaths {
     std::vector<std::tuple<double, int, int, int>> list;
     for (const dem2d::Crack& crack : world.cracks) {
       list.emplace_back(crack.time / placement.size, static_cast<int>(number(placement, crack.disc1)),
-                        static_cast<int>(number(placement, crack.disc2)), crack.mode);
+                        static_cast<int>(number(placement, crack.disc2)), static_cast<int>(crack.mode));
       for (std::size_t k = list.size() - 1; k > 0; --k) {
         const bool same_joint = std::get<0>(list[k - 1]) == std::get<0>(list[k]) &&
                                 std::get<1>(list[k - 1]) == std::get<1>(list[k]) &&

@@ -8,6 +8,8 @@
 
 #include "dem2d/step/world.hpp"
 
+using namespace bitrock;
+
 namespace verification {
 
 class JointPaths : public testing::TestWithParam<bool> {

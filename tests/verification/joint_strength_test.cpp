@@ -10,6 +10,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -64,7 +66,7 @@ TEST_P(PairToFailure, PullBreaksAllElementsAtTheTensileStrength) {
     step_at(world, tensile_strength / normal_stiffness * share * (last_step + 1), 0.0, 0.0);
     EXPECT_EQ(world.discs.force_x[0], 0.0);
     ASSERT_EQ(world.cracks.size(), static_cast<std::size_t>(elements));
-    for (const dem2d::Crack& crack : world.cracks) EXPECT_EQ(crack.mode, 1);
+    for (const dem2d::Crack& crack : world.cracks) EXPECT_EQ(crack.mode, dem2d::ElementState::broken_in_tension);
   }
 }
 
@@ -86,7 +88,7 @@ TEST_P(PairToFailure, ShearBreaksAtCohesionPlusFrictionOfTheNormalStress) {
       step_at(world, gap, 0.0, increment);
       EXPECT_EQ(world.discs.force_y[0], 0.0) << "the shear stress drops to zero";
       ASSERT_EQ(world.cracks.size(), static_cast<std::size_t>(elements));
-      for (const dem2d::Crack& crack : world.cracks) EXPECT_EQ(crack.mode, 2);
+      for (const dem2d::Crack& crack : world.cracks) EXPECT_EQ(crack.mode, dem2d::ElementState::broken_in_shear);
       for (int step = 0; step < last_step; ++step) step_at(world, gap, 0.0, increment);
       const double pressure = std::fmax(0.0, -c.normal_stress);
       EXPECT_NEAR(world.discs.force_y[0], 0.5 * pressure * 2.0 * radius, 1e-10 * load);
@@ -116,7 +118,7 @@ TEST_P(PairToFailure, BendingBreaksTheOuterElementAtItsMeanStress) {
       }
       step_at(world, gap, rotation * share * (last_step + 1), 0.0);
       ASSERT_EQ(world.cracks.size(), 1u) << c.elements << " " << normal_stress;
-      EXPECT_EQ(world.cracks[0].mode, 1);
+      EXPECT_EQ(world.cracks[0].mode, dem2d::ElementState::broken_in_tension);
       EXPECT_NEAR(world.cracks[0].y, -radius * (1.0 - 1.0 / c.elements), 1e-12);  // where gap - rotation r is largest
     }
   }

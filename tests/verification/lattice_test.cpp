@@ -17,6 +17,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::modulus;
@@ -70,9 +72,9 @@ class Lattice : public verification::JointPaths {
       const auto a = static_cast<std::size_t>(world.joints.disc1[k]),
                  b = static_cast<std::size_t>(world.joints.disc2[k]);
       if (a != middle && b != middle) continue;
-      stress.xx += world.joint_forces[k].x * (d.x[b] - d.x[a]);
-      stress.yy += world.joint_forces[k].y * (d.y[b] - d.y[a]);
-      stress.xy += world.joint_forces[k].x * (d.y[b] - d.y[a]);
+      stress.xx += world.room.joint_forces[k].x * (d.x[b] - d.x[a]);
+      stress.yy += world.room.joint_forces[k].y * (d.y[b] - d.y[a]);
+      stress.xy += world.room.joint_forces[k].x * (d.y[b] - d.y[a]);
     }
     const double twice_cell = 4.0 * std::sqrt(3.0) * radius * radius;
     return {stress.xx / twice_cell, stress.yy / twice_cell, stress.xy / twice_cell};

@@ -9,6 +9,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -170,7 +172,7 @@ TEST_P(IsolatedCluster, KeepsItsMomentumWhileItBreaks) {
     world.discs.velocity_y[i] = base::uniform(random, -5.0, 5.0);
     world.discs.spin[i] = base::uniform(random, -2000.0, 2000.0);
   }
-  world.contact_damping_ratio = 0.5;
+  world.materials.contact_damping_ratio = 0.5;
   dem2d::prepare(world);
   world.step = 0.1 * dem2d::critical_step(world);
   const Momentum before = momentum(world);
@@ -189,7 +191,7 @@ TEST_P(IsolatedCluster, KeepsItsMomentumWhileItBreaks) {
 
 TEST(LocalDamping, TakesItsShareOfTheForceAgainstTheMotion) {
   dem2d::World world = small_worlds::disc_above_floor(-1e-6);
-  world.local_damping = 0.25;
+  world.materials.local_damping = 0.25;
   world.discs.velocity_y[0] = 0.1;  // moves with the push of the wall
   dem2d::prepare(world);
   world.step = 1e-8;

@@ -22,6 +22,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -92,7 +94,7 @@ TEST_P(PairOscillation, LosesItsShareToLocalDampingInEachHalfCycle) {
   const double omega = std::sqrt(2.0 * axial / mass), share = 5e-4;
   for (const double alpha : {0.1, 0.3, 0.7}) {
     dem2d::World world = pair(omega, share);
-    world.local_damping = alpha;
+    world.materials.local_damping = alpha;
     double amplitude = 1e-5, start = 0.0;
     world.discs.x[0] -= 0.5 * amplitude;
     world.discs.x[1] += 0.5 * amplitude;

@@ -12,6 +12,8 @@
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -97,7 +99,7 @@ TEST_P(PairRecurrence, BondedPairStretchesShearsBendsAndTurns) {
     properties.radius_multiplier = 0.8;
     properties.stiffness_ratio = 1.7;
     dem2d::add_joint(world, 0, 1, properties);
-    world.local_damping = alpha;
+    world.materials.local_damping = alpha;
     world.discs.velocity_x = {1.0, -2.0};
     world.discs.velocity_y = {0.5, 3.0};
     world.discs.spin = {2000.0, -500.0};
@@ -129,8 +131,8 @@ TEST(LoosePairRecurrence, SticksSlipsAndParts) {
   // an oblique collision with spin: friction 0.5, with and without dashpots; the contact ends on its own
   for (const double beta : {0.0, 0.2}) {
     dem2d::World world = slanted_pair(1e-6);
-    world.contact_damping_ratio = beta;
-    world.contact_shear_damping_ratio = 0.5 * beta;
+    world.materials.contact_damping_ratio = beta;
+    world.materials.contact_shear_damping_ratio = 0.5 * beta;
     world.discs.velocity_x = {1.0, -2.0};
     world.discs.velocity_y = {0.5, -1.0};
     world.discs.spin = {2000.0, 500.0};

@@ -18,6 +18,8 @@
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 using small_worlds::radius;
@@ -43,7 +45,7 @@ double wall_restitution(double beta, double step_share) {
 /// Two discs, one half as large, meet head on along a slanted line.
 double pair_restitution(double beta, double step_share) {
   dem2d::World world = small_worlds::empty();
-  world.contact_damping_ratio = beta;
+  world.materials.contact_damping_ratio = beta;
   dem2d::add_disc(world.discs, 0.0, 0.0, radius, small_worlds::density);
   dem2d::add_disc(world.discs, 0.6 * 1.5 * radius, 0.8 * 1.5 * radius, 0.5 * radius, small_worlds::density);
   world.discs.velocity_x = {0.6 * 0.3, -0.6 * 0.7};

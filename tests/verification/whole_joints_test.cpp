@@ -12,6 +12,8 @@
 #include "tests/small_cuts.hpp"
 #include "tests/unit/small_worlds.hpp"
 
+using namespace bitrock;
+
 namespace {
 
 constexpr double radius = small_worlds::radius;
@@ -123,7 +125,7 @@ TEST(WholeJoints, ADamagedJointAddsUpItsSlidingFromWhenItWasWhole) {
 /// Those of a damaged joint that a step writes.
 std::vector<double> history(const dem2d::World& world, std::size_t joint) {
   const dem2d::FlatJoints& j = world.joints;
-  const dem2d::PairForce& force = world.joint_forces[joint];
+  const dem2d::PairForce& force = world.room.joint_forces[joint];
   std::vector<double> values{force.x,
                              force.y,
                              force.moment1,
@@ -158,7 +160,7 @@ TEST(DamagedJoints, HaveTheBitsOfTheReferenceForRandomHistories) {
     int seen = 0, partly = 0, pressed = 0, broken_now = 0;
     for (const int elements : {1, 2, 3, 6}) {
       dem2d::World world = pairs_of_discs(803, elements);
-      world.measure_energy = true;
+      world.ledger.measured = true;
       world.joints.residual_cohesion = 2e6;
       world.joints.drop_to_residual = elements == 3;
       for (double& strength : world.joints.tensile_strength) strength = 3e6;
@@ -177,7 +179,7 @@ TEST(DamagedJoints, HaveTheBitsOfTheReferenceForRandomHistories) {
           ASSERT_TRUE(same_bits(history(world, j), history(reference, j))) << "joint " << j << ", step " << step;
           ++seen;
           partly += world.joints.bonded[j] > 0 ? 1 : 0;
-          pressed += world.joint_forces[j].x != 0.0 && world.joints.bonded[j] == 0 ? 1 : 0;
+          pressed += world.room.joint_forces[j].x != 0.0 && world.joints.bonded[j] == 0 ? 1 : 0;
           broken_now += world.joints.bonded[j] < bonded[j] ? 1 : 0;
         }
       }
@@ -195,7 +197,7 @@ TEST(VectorUnits, AllGiveTheSameBits) {
   for (const std::int64_t target : vector_units()) {
     hwy::SetSupportedTargetsForTest(target);
     dem2d::World world = pairs_of_discs(803, 2);
-    world.local_damping = 0.1;
+    world.materials.local_damping = 0.1;
     base::Random random(7);
     throw_discs(world, random);
     for (double& v : world.discs.velocity_x) v *= 1e-3;

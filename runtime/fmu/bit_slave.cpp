@@ -1,0 +1,241 @@
+#include "runtime/fmu/bit_slave.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+
+#include "base/text.hpp"
+#include "runtime/core/conditions.hpp"
+#include "runtime/laws/progression_angle.hpp"
+
+namespace bitrock::fmu {
+
+namespace {
+
+struct Rates {
+  double rotation = 0.0;             ///< [rad/s]
+  double rate_of_penetration = 0.0;  ///< [m/s]
+};
+
+bitrock_description description_with(const Slave& slave, const bitrock_signal& signal) {
+  bitrock_description description = slave.block.description;
+  description.signal = signal;
+  return description;
+}
+
+bool same(const bitrock_signal& a, const bitrock_signal& b) {
+  return std::memcmp(&a, &b, sizeof(a)) == 0;
+}
+static_assert(std::has_unique_object_representations_v<Phase> && sizeof(bitrock_signal) == 5 * 8, "no bytes between");
+
+/// A core in memory of its own; null when there is none to be had.
+bitrock_core* new_core(const Slave& slave, const bitrock_signal& signal, bitrock_status& status) {
+  const bitrock_description description = description_with(slave, signal);
+  std::size_t bytes = 0;
+  status = bitrock_core_size(&description, &bytes);
+  if (status != BITROCK_OK) return nullptr;
+  void* const memory = std::malloc(bytes);  // divisible by 16 on the systems an FMU is built for
+  bitrock_core* core = nullptr;
+  status = memory == nullptr ? BITROCK_BAD_MEMORY : bitrock_core_create(memory, bytes, &description, &core);
+  if (status != BITROCK_OK) std::free(memory);
+  return core;
+}
+
+/// The core as it was made, with the signal of the settings.
+bitrock_status renew_core(Slave& slave) {
+  if (same(slave.core_signal, slave.settings.signal)) return bitrock_core_reset(slave.core);
+  bitrock_status status = BITROCK_OK;
+  bitrock_core* const core = new_core(slave, slave.settings.signal, status);
+  if (core == nullptr) return status;
+  std::free(slave.core);
+  slave.core = core;
+  slave.core_signal = slave.settings.signal;
+  return BITROCK_OK;
+}
+
+/// What has been turned at the time of `moment`, had each speed held for its step; `moment.angle` may be ahead of it.
+double reached(const Moment& moment) {
+  return moment.angle_since + moment.speed * (moment.time - moment.speed_since);
+}
+
+/// The load at the angle of `moment`.
+bitrock_status find_load(const Slave& slave, Moment& moment) {
+  Rates mean;
+  bitrock_core_averages(slave.core, &mean.rotation, &mean.rate_of_penetration);
+  bitrock_load load{};
+  const bitrock_status status =
+      bitrock_core_update(slave.core, moment.angle, mean.rotation, mean.rate_of_penetration, &load);
+  if (status != BITROCK_OK) return status;
+  const bool on_rock = moment.inputs.weight > 0.0;
+  const double depth = runtime::cut_conditions(0.0, 0.0, mean.rotation, mean.rate_of_penetration).depth_of_cut;
+  moment.torque = on_rock ? load.torque_N_m : 0.0;
+  moment.axial_force = on_rock ? load.axial_force_N : 0.0;
+  moment.depth_of_cut = on_rock && runtime::cuts(mean.rate_of_penetration) ? depth : 0.0;
+  return BITROCK_OK;
+}
+
+/// Turns `moment` to `end` with its inputs; what may fail in the core comes before what changes its averages.
+bitrock_status turn(Slave& slave, Moment& moment, double end) {
+  const Inputs& inputs = moment.inputs;
+  const double speed = runtime::progression(inputs.rotation, inputs.weight, slave.settings.threshold_weight);
+  if (speed != moment.speed) {
+    moment.angle_since = reached(moment) + runtime::missing_angle(moment.speed, speed, moment.last_step);
+    moment.speed_since = moment.time;
+    moment.speed = speed;
+  }
+  moment.last_step = end - moment.time;
+  moment.time = end;
+  moment.angle = std::max(moment.angle, reached(moment));
+  const bool begins = moment.begun == 0 && speed > 0.0 && runtime::cuts(inputs.rate_of_penetration);
+  if (begins) {
+    moment.begun = 1;
+    bitrock_core_accept(slave.core, slave.moment.time, inputs.rotation, inputs.rate_of_penetration);
+  }
+  if (moment.begun == 0) return BITROCK_OK;
+
+  bitrock_status status = find_load(slave, moment);
+  if (status == BITROCK_OK && end > slave.moment.time)
+    status = bitrock_core_accept(slave.core, end, inputs.rotation, inputs.rate_of_penetration);
+  if (status != BITROCK_OK && begins) bitrock_core_reset(slave.core);
+  return status;
+}
+
+struct StateHead {
+  std::uint64_t magic = 0x3274617453746942ULL;  ///< "BitStat2"; the last is the format's version
+  std::uint64_t bytes = 0;                      ///< of the whole state
+  std::uint64_t checksum = 0;                   ///< of what follows it in this head; the core's state has its own
+  std::uint64_t block_checksum = 0;             ///< states belong to an FMU
+  bitrock_signal core_signal{};
+  Settings settings;
+  Moment moment;
+};
+constexpr std::size_t checked_from = 3 * sizeof(std::uint64_t);
+
+std::uint64_t checksum(const StateHead& head) {
+  return base::fingerprint({reinterpret_cast<const char*>(&head) + checked_from, sizeof(head) - checked_from});
+}
+
+std::size_t core_state_bytes(const Slave& slave) {
+  std::size_t bytes = 0;
+  bitrock_core_state_size(slave.core, &bytes);
+  return bytes;
+}
+
+bool is_flag(std::int64_t value) {
+  return value == 0 || value == 1;
+}
+
+/// What the functions of this file and of `fmu.cpp` can leave behind.
+bool is_sound(const Moment& m) {
+  const bool known_phase = m.phase == Phase::instantiated || m.phase == Phase::initialising ||
+                           m.phase == Phase::stepping || m.phase == Phase::terminated;
+  if (!known_phase || !is_flag(m.stale) || !is_flag(m.begun)) return false;
+  for (const double number :
+       {m.time, m.inputs.rotation, m.inputs.rate_of_penetration, m.inputs.weight, m.speed, m.speed_since, m.angle_since,
+        m.last_step, m.angle, m.torque, m.axial_force, m.depth_of_cut}) {
+    if (!std::isfinite(number)) return false;
+  }
+  return !std::isnan(m.stop_time) && m.speed >= 0.0 && m.last_step >= 0.0 && m.depth_of_cut >= 0.0;
+}
+
+/// Restores the core from `state`; it may have been made with another signal.
+bool restore_core(Slave& slave, const bitrock_signal& signal, const char* state, std::size_t size) {
+  if (same(slave.core_signal, signal)) return bitrock_core_restore(slave.core, state, size) == BITROCK_OK;
+  bitrock_status status = BITROCK_OK;
+  bitrock_core* const core = new_core(slave, signal, status);
+  if (core == nullptr) return false;
+  if (bitrock_core_restore(core, state, size) != BITROCK_OK) {
+    std::free(core);
+    return false;
+  }
+  std::free(slave.core);
+  slave.core = core;
+  slave.core_signal = signal;
+  return true;
+}
+
+}  // namespace
+
+const char* make(Slave& slave, char* bytes, std::size_t size) {
+  slave.bytes = bytes;
+  if (const char* const reason = read_bit_block(bytes, size, slave.block); reason != nullptr) return reason;
+  slave.settings = start_settings(slave);
+  slave.core_signal = slave.settings.signal;
+  bitrock_status status = BITROCK_OK;
+  slave.core = new_core(slave, slave.core_signal, status);
+  return slave.core == nullptr ? bitrock_status_text(status) : nullptr;
+}
+
+void destroy(Slave& slave) {
+  std::free(slave.core);
+  std::free(slave.bytes);
+}
+
+Settings start_settings(const Slave& slave) {
+  return {.signal = slave.block.description.signal, .threshold_weight = slave.block.threshold_weight};
+}
+
+bitrock_status check(const Slave& slave, const Settings& settings) {
+  if (!(std::isfinite(settings.threshold_weight) && settings.threshold_weight >= 0.0)) return BITROCK_BAD_SIGNAL;
+  const bitrock_description description = description_with(slave, settings.signal);
+  std::size_t bytes = 0;
+  return bitrock_core_size(&description, &bytes);
+}
+
+bitrock_status find_start(Slave& slave) {
+  if (slave.moment.stale == 0) return BITROCK_OK;
+  if (const bitrock_status status = renew_core(slave); status != BITROCK_OK) return status;
+  const Moment& known = slave.moment;
+  Moment start{.phase = known.phase,
+               .stale = 0,
+               .time = known.time,
+               .stop_time = known.stop_time,
+               .inputs = known.inputs,
+               .speed_since = known.time};
+  const bitrock_status status = turn(slave, start, known.time);
+  if (status == BITROCK_OK) slave.moment = start;
+  return status;
+}
+
+bitrock_status step(Slave& slave, double end) {
+  Moment next = slave.moment;
+  const bitrock_status status = turn(slave, next, end);
+  if (status == BITROCK_OK) slave.moment = next;
+  return status;
+}
+
+std::size_t state_bytes(const Slave& slave) {
+  return sizeof(StateHead) + core_state_bytes(slave);
+}
+
+void save(const Slave& slave, char* state) {
+  const std::size_t size = state_bytes(slave);
+  StateHead head{.bytes = size,
+                 .block_checksum = slave.block.checksum,
+                 .core_signal = slave.core_signal,
+                 .settings = slave.settings,
+                 .moment = slave.moment};
+  head.checksum = checksum(head);
+  std::memcpy(state, &head, sizeof(head));
+  bitrock_core_save(slave.core, state + sizeof(head), size - sizeof(head));
+}
+
+const char* restore(Slave& slave, const char* state, std::size_t size) {
+  StateHead head;
+  if (size != state_bytes(slave)) return "the state is of another size";
+  std::memcpy(static_cast<void*>(&head), state, sizeof(head));
+  if (head.magic != StateHead{}.magic || head.bytes != size || head.block_checksum != slave.block.checksum)
+    return "the state is not of this FMU";
+  if (head.checksum != checksum(head)) return "the state is damaged: its checksum is wrong";
+  if (!is_sound(head.moment) || check(slave, head.settings) != BITROCK_OK ||
+      !restore_core(slave, head.core_signal, state + sizeof(head), size - sizeof(head)))
+    return "the state does not fit the core";
+  slave.settings = head.settings;
+  slave.moment = head.moment;
+  return nullptr;
+}
+
+}  // namespace bitrock::fmu

@@ -1,0 +1,108 @@
+#include "runtime/fmu/fmu_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "base/errors.hpp"
+#include "base/text.hpp"
+#include "base/zip.hpp"
+#include "runtime/bit/bit_force.hpp"
+#include "runtime/fmu/bit_block.hpp"
+#include "runtime/fmu/libraries.hpp"
+#include "runtime/fmu/variables.hpp"
+
+namespace bitrock::fmu {
+
+namespace {
+
+void put(std::string& bytes, std::uint64_t word) {
+  for (int i = 0; i < 8; ++i) bytes += static_cast<char>((word >> (8 * i)) & 0xffu);
+}
+void put(std::string& bytes, std::int64_t number) {
+  put(bytes, static_cast<std::uint64_t>(number));
+}
+void put(std::string& bytes, std::int32_t number) {
+  put(bytes, static_cast<std::int64_t>(number));
+}
+void put(std::string& bytes, double number) {
+  put(bytes, __builtin_bit_cast(std::uint64_t, number));
+}
+template <class... Numbers>
+void put_all(std::string& bytes, Numbers... numbers) {
+  (put(bytes, numbers), ...);
+}
+
+void put_output(std::string& bytes, const bitrock_output& output) {
+  put_all(bytes, output.offset, output.scale, output.log_reference, output.output_activation, output.layer_count);
+  std::int64_t parameters = 0;
+  for (std::int32_t k = 0; k < output.layer_count; ++k) {
+    put(bytes, output.layers[k]);
+    if (k > 0) parameters += std::int64_t{output.layers[k]} * (output.layers[k - 1] + 1);
+  }
+  for (std::int64_t i = 0; i < parameters; ++i) put(bytes, output.parameters[i]);
+}
+
+/// In the usual form of a guid: the fingerprint of the content, and that of the content with a letter behind it.
+std::string guid_of(std::string content) {
+  const std::string first = base::fingerprint_text(content);
+  content += 'g';
+  const std::string second = base::fingerprint_text(content);
+  return fmt::format("{{{}-{}-{}-{}-{}}}", first.substr(0, 8), first.substr(8, 4), first.substr(12, 4),
+                     second.substr(0, 4), second.substr(4));
+}
+
+void require_libraries(const std::vector<Library>& found) {
+  if (found.empty()) {
+    throw base::InputError(
+        "this bitrock carries no library for an FMU (it was built on another machine than linux64, without Debian's "
+        "g++-mingw-w64-x86-64-posix for win64)");
+  }
+}
+
+}  // namespace
+
+std::string bit_block(const bitrock_description& description, double threshold_weight, const std::string& guid) {
+  std::string body = guid;
+  body.resize(guid_bytes, '\0');
+  const bitrock_signal& signal = description.signal;
+  put_all(body, signal.window_angle_rad, signal.pulse_width_factor, signal.average_window_s, threshold_weight,
+          signal.combine, signal.amplitude_fit, signal.seed);
+  put(body, description.cutter_count);
+  for (std::int64_t i = 0; i < description.cutter_count; ++i) {
+    const bitrock_cutter& cutter = description.cutters[i];
+    put_all(body, cutter.radius_m, cutter.width_m, cutter.back_rake_rad, cutter.number);
+  }
+  for (const bitrock_input& input : description.model.inputs)
+    put_all(body, input.low, input.high, input.offset, input.scale);
+  for (const bitrock_output& output : description.model.outputs) put_output(body, output);
+  std::string block;
+  put_all(block, block_magic, block_version, std::uint64_t{block_checked_from + body.size()}, base::fingerprint(body));
+  return block + body;
+}
+
+FmuFile fmu_file(const runtime::Bit& bit, const surrogate::Model& model) {
+  const std::vector<Library> carried = libraries();
+  require_libraries(carried);
+  const runtime::BitForce usable(bit, model);  // or it throws, in words
+  const runtime::CoreDescription description = runtime::describe(bit, model);
+  constexpr double no_threshold = 0.0;  // [N] a parameter of the FMU, unknown to a bit file
+
+  std::string content = bit_block(description.plain, no_threshold, "") + model_description(bit, model, "");
+  for (const Library& library : carried) content += library.bytes;
+  FmuFile file{.guid = guid_of(std::move(content))};
+
+  const std::string block = bit_block(description.plain, no_threshold, file.guid);
+  const std::string xml = model_description(bit, model, file.guid);
+  std::vector<base::ZipEntry> entries{{"modelDescription.xml", xml}};
+  for (const Library& library : carried) {
+    entries.push_back(
+        {fmt::format("binaries/{}/{}{}", library.platform, model_identifier, library.extension), library.bytes});
+    file.platforms.emplace_back(library.platform);
+  }
+  entries.push_back({fmt::format("resources/{}", block_file), block});
+  file.bytes = base::zip_stored(entries);
+  return file;
+}
+
+}  // namespace bitrock::fmu

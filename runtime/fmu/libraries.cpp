@@ -1,0 +1,26 @@
+#include "runtime/fmu/libraries.hpp"
+
+#include "base/embed.hpp"
+
+// runtime/CMakeLists.txt builds and names the files, and rebuilds this one when they change.
+#ifdef BITROCK_FMU_LINUX64
+BITROCK_EMBED(fmu_linux64, BITROCK_FMU_LINUX64)
+#endif
+#ifdef BITROCK_FMU_WIN64
+BITROCK_EMBED(fmu_win64, BITROCK_FMU_WIN64)
+#endif
+
+namespace bitrock::fmu {
+
+std::vector<Library> libraries() {
+  std::vector<Library> found;
+#ifdef BITROCK_FMU_LINUX64
+  found.push_back({"linux64", ".so", fmu_linux64_bytes()});
+#endif
+#ifdef BITROCK_FMU_WIN64
+  found.push_back({"win64", ".dll", fmu_win64_bytes()});
+#endif
+  return found;
+}
+
+}  // namespace bitrock::fmu

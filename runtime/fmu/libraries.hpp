@@ -1,0 +1,18 @@
+#pragma once
+/// The compiled library of the FMU, for each system it was built for, carried inside the program.
+
+#include <string_view>
+#include <vector>
+
+namespace bitrock::fmu {
+
+struct Library {
+  std::string_view platform;   ///< folder below `binaries`, as the standard names it
+  std::string_view extension;  ///< of the file
+  std::string_view bytes;
+};
+
+/// linux64 where bitrock was built on such a machine, win64 where the compiler for it was found.
+std::vector<Library> libraries();
+
+}  // namespace bitrock::fmu

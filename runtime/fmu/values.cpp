@@ -1,0 +1,102 @@
+#include "runtime/fmu/values.hpp"
+
+#include "runtime/fmu/variables.hpp"
+
+namespace bitrock::fmu {
+
+namespace {
+
+/// A count of the core as an Integer of FMI, which has 32 bits: it stays at the largest.
+int as_integer(std::int64_t count) {
+  return count < INT32_MAX ? static_cast<int>(count) : INT32_MAX;
+}
+
+}  // namespace
+
+double real_value(const Slave& slave, unsigned reference) {
+  const Settings& settings = slave.settings;
+  const Moment& moment = slave.moment;
+  switch (reference) {
+    case rotation:
+      return moment.inputs.rotation;
+    case rate_of_penetration:
+      return moment.inputs.rate_of_penetration;
+    case weight_on_bit:
+      return moment.inputs.weight;
+    case torque:
+      return moment.torque;
+    case axial_force:
+      return moment.axial_force;
+    case angle:
+      return moment.angle;
+    case depth_of_cut:
+      return moment.depth_of_cut;
+    case threshold_weight:
+      return settings.threshold_weight;
+    case averaging_time:
+      return settings.signal.average_window_s;
+    case window_angle:
+      return settings.signal.window_angle_rad;
+    default:
+      return settings.signal.pulse_width_factor;
+  }
+}
+
+int integer_value(const Slave& slave, unsigned reference) {
+  const bitrock_signal& signal = slave.settings.signal;
+  bitrock_tally tally{};
+  if (slave.moment.stale == 0) bitrock_core_tally(slave.core, &tally);
+  switch (reference) {
+    case questions:
+      return as_integer(tally.asked);
+    case clamped:
+      return as_integer(tally.speed_below + tally.speed_above + tally.depth_below + tally.depth_above +
+                        tally.rake_below + tally.rake_above);
+    case seed:
+      return as_integer(static_cast<std::int64_t>(signal.seed));
+    case combine:
+      return signal.combine + first_item;
+    default:
+      return signal.amplitude_fit + first_item;
+  }
+}
+
+void set_value(Settings& settings, Inputs& inputs, unsigned reference, double value) {
+  switch (reference) {
+    case rotation:
+      inputs.rotation = value;
+      break;
+    case rate_of_penetration:
+      inputs.rate_of_penetration = value;
+      break;
+    case weight_on_bit:
+      inputs.weight = value;
+      break;
+    case threshold_weight:
+      settings.threshold_weight = value;
+      break;
+    case averaging_time:
+      settings.signal.average_window_s = value;
+      break;
+    case window_angle:
+      settings.signal.window_angle_rad = value;
+      break;
+    default:
+      settings.signal.pulse_width_factor = value;
+  }
+}
+
+void set_value(Settings& settings, Inputs&, unsigned reference, int value) {
+  switch (reference) {
+    case seed:
+      settings.signal.seed = static_cast<std::uint64_t>(value);
+      break;
+    case combine:
+      settings.signal.combine = value - first_item;
+      break;
+    default:
+      settings.signal.amplitude_fit = value - first_item;
+  }
+}
+
+}  // namespace bitrock::fmu

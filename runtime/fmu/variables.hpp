@@ -1,0 +1,71 @@
+#pragma once
+/// The variables of the FMU: one table that the model description is written from and the library answers by. A value
+/// reference is a place in it.
+
+#include <array>
+
+namespace bitrock::fmu {
+
+enum Reference : unsigned {
+  rotation,
+  rate_of_penetration,
+  weight_on_bit,
+  torque,
+  axial_force,
+  angle,
+  depth_of_cut,
+  questions,
+  clamped,
+  threshold_weight,
+  averaging_time,
+  window_angle,
+  pulse_width_factor,
+  seed,
+  combine,
+  amplitude_fit,
+  variable_count
+};
+
+enum class Causality { input, output, parameter };
+enum class Type { real, integer, combine, amplitude_fit };  ///< the last two: words, as enumerations
+
+struct Variable {
+  const char* name;
+  Causality causality;
+  Type type;
+  const char* unit;  ///< of `units` in model_description.cpp; empty: a plain number
+  const char* description;
+};
+
+inline constexpr std::array<Variable, variable_count> variables{{
+    {"rotation_rad_per_s", Causality::input, Type::real, "rad/s",
+     "rotation of the bit, positive in the direction of drilling; it cuts only while this is above 0"},
+    {"rate_of_penetration_m_per_s", Causality::input, Type::real, "m/s", "of the bit into the rock"},
+    {"weight_on_bit_N", Causality::input, Type::real, "N",
+     "push of the bit on the rock; it cuts only while this is above the threshold"},
+    {"torque_N_m", Causality::output, Type::real, "N.m", "of the rock on the bit, positive against its rotation"},
+    {"axial_force_N", Causality::output, Type::real, "N", "of the rock on the bit, positive out of the rock"},
+    {"angle_rad", Causality::output, Type::real, "rad", "turned forward while cutting, since the start"},
+    {"depth_of_cut_m", Causality::output, Type::real, "m",
+     "per turn, from the averaged inputs, before it is moved to the training range of the networks"},
+    {"questions", Causality::output, Type::integer, "", "asked of the networks: one for each cutter and window"},
+    {"clamped_conditions", Causality::output, Type::integer, "",
+     "speeds, depths and rakes of these questions that were moved to the edge of the training range"},
+    {"threshold_weight_N", Causality::parameter, Type::real, "N", "weight that does not yet cut, 0 or more"},
+    {"averaging_time_s", Causality::parameter, Type::real, "s",
+     "of rotation and rate of penetration before they choose the cutting conditions, above 0"},
+    {"window_angle_rad", Causality::parameter, Type::real, "rad", "angle over which peaks are drawn together"},
+    {"pulse_width_factor", Causality::parameter, Type::real, "",
+     "half-width of a peak over half the mean distance of peaks, above 0 and at most 2"},
+    {"seed", Causality::parameter, Type::integer, "", "of all draws, 0 or more: give each bit its own"},
+    {"combine", Causality::parameter, Type::combine, "", "what overlapping peaks do"},
+    {"amplitude_fit", Causality::parameter, Type::amplitude_fit, "", "how heights meet their mean"},
+}};
+
+/// Values of the two enumerations begin at 1, as some importers count their items.
+inline constexpr int first_item = 1;
+
+inline constexpr const char* model_identifier = "bitrock_bit";
+inline constexpr const char* block_file = "bit.block";  ///< in the folder `resources`
+
+}  // namespace bitrock::fmu

@@ -1,0 +1,18 @@
+#pragma once
+/// What a calibration will cost, before it begins.
+
+#include "studies/calibrate/target.hpp"
+
+namespace bitrock::studies {
+
+/// Evaluations that a search usually takes: on few specimens, then on all.
+inline constexpr int usual_coarse_evaluations = 5, usual_fine_evaluations = 3;
+
+struct CalibrationCost {
+  double discs = 0.0;                      ///< of a specimen
+  double core_seconds_per_specimen = 0.0;  ///< all tests of it, without packing
+  double core_seconds = 0.0;               ///< of the usual evaluations
+};
+CalibrationCost cost_of(const CalibrationTarget& target);
+
+}  // namespace bitrock::studies

@@ -1,0 +1,206 @@
+#include "studies/campaign/features.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <variant>
+
+#include "base/csv.hpp"
+#include "base/errors.hpp"
+#include "base/statistics.hpp"
+#include "base/units.hpp"
+#include "dem2d/cut/chips.hpp"
+#include "studies/campaign/folder.hpp"
+
+namespace bitrock::studies {
+
+namespace {
+
+using base::deg, base::mm;
+
+constexpr double as_it_is = 0.0;  // as unit: every digit; units proper are written with 12 digits
+
+/// One column of numbers, bound to a row.
+struct Cell {
+  std::string name;
+  std::variant<double*, int*> target;
+  double unit;
+  base::Range range;  ///< in the unit of the file
+};
+
+// The columns come in groups: case and seed, conditions, peak statistics, what else is known of the cut.
+constexpr std::size_t first_condition = 2, first_statistic = 7, first_other = 17, mean_forces = 2;
+
+std::vector<Cell> cells(FeatureRow& row) {
+  using base::any, base::at_least, base::positive;
+  constexpr double one = 1.0;
+  const base::Range any_int = base::between(0.0, 2147483647.0);
+  std::vector<Cell> all{{"case", &row.case_number, as_it_is, any_int},
+                        {"seed", &row.seed, as_it_is, any_int},
+                        {"cutter_speed_m_per_s", &row.cutter_speed, one, positive()},
+                        {"depth_of_cut_mm", &row.depth_of_cut, mm, positive()},
+                        {"back_rake_deg", &row.back_rake, deg, base::between(0.0, 90.0)},
+                        {"cut_length_m", &row.cut_length, one, positive()},
+                        {"duration_s", &row.duration, one, positive()}};
+  for (const auto& [axis, s] : {std::pair{"x", &row.x}, std::pair{"y", &row.y}}) {
+    const std::string prefix = axis;
+    all.push_back({prefix + "_amax_N_per_m", &s->amax, as_it_is, at_least(0.0)});
+    all.push_back({prefix + "_amean_N_per_m", &s->amean, as_it_is, at_least(0.0)});
+    all.push_back({prefix + "_np1", &s->np1, as_it_is, any_int});
+    all.push_back({prefix + "_np23", &s->np23, as_it_is, any_int});
+    all.push_back({prefix + "_np4", &s->np4, as_it_is, any_int});
+  }
+  const std::vector<Cell> other{
+      {"x_mean_N_per_m", &row.mean_force_x, as_it_is, any()},
+      {"y_mean_N_per_m", &row.mean_force_y, as_it_is, any()},
+      {"chips", &row.chips, as_it_is, any_int},
+      {"cracks_tensile", &row.cracks_tensile, as_it_is, any_int},
+      {"cracks_shear", &row.cracks_shear, as_it_is, any_int},
+      {"energy_residual_fraction", &row.energy_residual_fraction, as_it_is, any()},
+      {"discs", &row.discs, as_it_is, base::between(1.0, 2147483647.0)},
+      {"step_s", &row.step, as_it_is, positive()},
+      {"core_s", &row.core_time, as_it_is, at_least(0.0)},
+  };
+  all.insert(all.end(), other.begin(), other.end());
+  return all;
+}
+
+/// All names in order, but for the hash.
+std::vector<std::string> names() {
+  FeatureRow row;
+  std::vector<std::string> all;
+  for (const Cell& cell : cells(row)) all.push_back(cell.name);
+  return all;
+}
+
+/// All numbers in order, in the units of the file.
+std::vector<double> numbers(FeatureRow row) {
+  std::vector<double> all;
+  for (const Cell& cell : cells(row)) {
+    const auto* whole = std::get_if<int*>(&cell.target);
+    const double value = whole != nullptr ? **whole : *std::get<double*>(cell.target);
+    all.push_back(cell.unit == as_it_is ? value : base::in_units(value, cell.unit));
+  }
+  return all;
+}
+
+std::vector<std::vector<double>> to_columns(const std::vector<std::vector<double>>& rows, std::size_t count) {
+  std::vector<std::vector<double>> columns(count);
+  for (const std::vector<double>& row : rows) {
+    for (std::size_t i = 0; i < count; ++i) columns[i].push_back(row[i]);
+  }
+  return columns;
+}
+
+}  // namespace
+
+FeatureRow row_of(const Job& job, const dem2d::CutRun& run) {
+  return {.case_number = job.case_number,
+          .seed = job.seed,
+          .cutter_speed = job.cut.cutter_speed,
+          .depth_of_cut = job.cut.depth_of_cut,
+          .back_rake = job.cut.back_rake,
+          .cut_length = run.cut_length,
+          .duration = run.duration,
+          .x = peaks::peak_statistics(run.force_x),
+          .y = peaks::peak_statistics(run.force_y),
+          .mean_force_x = run.mean_force_x,
+          .mean_force_y = run.mean_force_y,
+          .chips = dem2d::count_chips(run.force_x),
+          .cracks_tensile = run.cracks_tensile,
+          .cracks_shear = run.cracks_shear,
+          .energy_residual_fraction = run.energy_residual_fraction,
+          .discs = run.discs,
+          .step = run.step,
+          .core_time = run.core_time,
+          .hash = job_hash(job)};
+}
+
+bool same_result(const FeatureRow& a, const FeatureRow& b) {
+  FeatureRow other = b;
+  other.case_number = a.case_number;
+  other.core_time = a.core_time;
+  return numbers(a) == numbers(other);
+}
+
+std::string features_csv(const std::vector<FeatureRow>& rows) {
+  std::vector<std::vector<double>> values;
+  std::vector<std::string> hashes;
+  for (const FeatureRow& row : rows) {
+    values.push_back(numbers(row));
+    hashes.push_back(row.hash);
+  }
+  return base::csv_text(names(), to_columns(values, names().size()), "hash", hashes);
+}
+
+namespace {
+
+void require_hash(const std::string& hash, const std::string& where) {
+  const bool good = hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!good) throw base::InputError(fmt::format("{}: hash = '{}' (must be 16 hexadecimal digits)", where, hash));
+}
+
+}  // namespace
+
+FeatureTable read_features(const std::filesystem::path& path) {
+  const base::CsvTable csv = base::read_csv(path, false, {"hash"});
+  if (!csv.texts.contains("hash")) {
+    throw base::InputError(
+        fmt::format("{}: column hash is missing (only rows that bitrock campaign collect has "
+                    "written can be accepted)",
+                    csv.source));
+  }
+  FeatureTable table{.rows = std::vector<FeatureRow>(csv.rows()), .lines = csv.lines};
+  for (std::size_t i = 0; i < csv.rows(); ++i) {
+    const std::string where = fmt::format("{}:{}", csv.source, csv.lines[i]);
+    for (const Cell& cell : cells(table.rows[i])) {
+      const double value = csv.column(cell.name)[i];
+      const auto* whole = std::get_if<int*>(&cell.target);
+      if (!cell.range.contains(value) || (whole != nullptr && value != std::floor(value))) {
+        throw base::InputError(fmt::format("{}: {} = {} (must be {}{})", where, cell.name, value,
+                                           whole != nullptr ? "a whole number, " : "", cell.range.text()));
+      }
+      if (whole != nullptr) **whole = static_cast<int>(value);
+      if (whole == nullptr) *std::get<double*>(cell.target) = cell.unit == as_it_is ? value : value * cell.unit;
+    }
+    table.rows[i].hash = csv.texts.at("hash")[i];
+    require_hash(table.rows[i].hash, where);
+  }
+  return table;
+}
+
+std::string features_mean_csv(const std::vector<FeatureRow>& rows) {
+  const std::vector<std::string> all = names();
+  const auto group = [&all](std::size_t begin, std::size_t end, const char* ending) {
+    std::vector<std::string> part;
+    for (std::size_t i = begin; i < end; ++i) part.push_back(all[i] + ending);
+    return part;
+  };
+  std::vector<std::string> header{"case", "seeds"};
+  for (const auto& part :
+       {group(first_condition, first_other, ""), group(first_statistic, first_other, "_standard_error"),
+        group(first_other, all.size(), ""), group(first_other, first_other + mean_forces, "_standard_error")}) {
+    header.insert(header.end(), part.begin(), part.end());
+  }
+
+  std::map<int, std::vector<std::vector<double>>> by_case;
+  for (const FeatureRow& row : rows) by_case[row.case_number].push_back(numbers(row));
+  std::vector<std::vector<double>> values;
+  for (const auto& [number, members] : by_case) {
+    std::vector<base::Summary> summary;  // of each column
+    for (const std::vector<double>& sample : to_columns(members, all.size()))
+      summary.push_back(base::summarise(sample));
+    std::vector<double> row{static_cast<double>(number), static_cast<double>(members.size())};
+    row.insert(row.end(), members.front().begin() + first_condition, members.front().begin() + first_statistic);
+    for (std::size_t i = first_statistic; i < first_other; ++i) row.push_back(summary[i].mean);
+    for (std::size_t i = first_statistic; i < first_other; ++i) row.push_back(summary[i].standard_error);
+    for (std::size_t i = first_other; i < all.size(); ++i) row.push_back(summary[i].mean);
+    for (std::size_t i = first_other; i < first_other + mean_forces; ++i) row.push_back(summary[i].standard_error);
+    values.push_back(std::move(row));
+  }
+  return base::csv_text(header, to_columns(values, header.size()));
+}
+
+}  // namespace bitrock::studies

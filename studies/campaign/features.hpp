@@ -1,0 +1,49 @@
+#pragma once
+/// From finished runs to the table the networks learn from (docs/reference/formats.md, "features.csv"), and back.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dem2d/files/run_file.hpp"
+#include "peaks/statistics.hpp"
+#include "studies/campaign/study.hpp"
+
+namespace bitrock::studies {
+
+struct FeatureRow {
+  int case_number = 0, seed = 0;
+  double cutter_speed = 0.0, depth_of_cut = 0.0, back_rake = 0.0;  ///< [m/s], [m], [rad]
+  double cut_length = 0.0, duration = 0.0;                         ///< [m], [s]
+  peaks::PeakStatistics x, y;                                      ///< heights in N/m
+  double mean_force_x = 0.0, mean_force_y = 0.0;                   ///< over the whole cut [N/m]
+  int chips = 0;                                                   ///< dem2d/cut/chips.hpp
+  int cracks_tensile = 0, cracks_shear = 0;
+  double energy_residual_fraction = 0.0;  ///< what the energy ledger cannot find, over the cutter's work [1]
+  int discs = 0;
+  double step = 0.0;       ///< [s]
+  double core_time = 0.0;  ///< that the cut took on one core; the only number that depends on the machine [s]
+  std::string hash;        ///< of case, rock, seed and physics (`dem2d::cut_hash`)
+};
+
+FeatureRow row_of(const Job& job, const dem2d::CutRun& run);
+
+/// Whether two rows tell the same of a cut, whatever time it took and wherever its case stands in a study.
+bool same_result(const FeatureRow& a, const FeatureRow& b);
+
+/// One row a case and seed.
+std::string features_csv(const std::vector<FeatureRow>& rows);
+
+/// Rows of such a table, and the line of each. Throws `base::InputError` with file, line and column for a missing
+/// column and for a value that no cut can have given.
+struct FeatureTable {
+  std::vector<FeatureRow> rows;
+  std::vector<int> lines;
+};
+FeatureTable read_features(const std::filesystem::path& path);
+
+/// One row a case: number of seeds, mean over the seeds of each number, and standard errors of statistics and mean
+/// forces (0 for one seed).
+std::string features_mean_csv(const std::vector<FeatureRow>& rows);
+
+}  // namespace bitrock::studies

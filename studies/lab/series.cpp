@@ -1,0 +1,179 @@
+#include "studies/lab/series.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <mutex>
+
+#include "base/config.hpp"
+#include "base/csv.hpp"
+#include "base/errors.hpp"
+#include "base/parallel.hpp"
+#include "dem2d/lab/loading_rate.hpp"
+#include "dem2d/step/cost.hpp"
+
+namespace bitrock::studies {
+
+namespace {
+
+// Of the time of a test at the full rate: what it takes with one at half the rate beside it.
+constexpr double with_half_rate = 3.0;
+
+constexpr LabQuantity quantities[] = {
+    {"peak_stress_Pa", [](const dem2d::LabRun& run) { return run.peak_stress; }},
+    {"youngs_modulus_Pa", [](const dem2d::LabRun& run) { return run.youngs_modulus; }},
+    {"poissons_ratio", [](const dem2d::LabRun& run) { return run.poissons_ratio; }},
+    {"crack_initiation_stress_Pa", [](const dem2d::LabRun& run) { return run.crack_initiation_stress; }},
+    {"strain_at_peak", [](const dem2d::LabRun& run) { return run.strain_at_peak; }},
+    {"cracks_tensile", [](const dem2d::LabRun& run) { return static_cast<double>(run.cracks_tensile); }},
+    {"cracks_shear", [](const dem2d::LabRun& run) { return static_cast<double>(run.cracks_shear); }},
+};
+
+dem2d::LabSettings at_half_rate(const dem2d::LabSettings& settings) {
+  dem2d::LabSettings slower = settings;
+  slower.strain_rate *= 0.5;
+  return slower;
+}
+
+dem2d::Specimen specimen_of(const LabSeries& series, std::size_t place) {
+  if (series.given) return *series.given;
+  const dem2d::LabBox box = dem2d::specimen_box(series.test, series.settings);
+  return dem2d::make_specimen(series.rock, box.width, box.height, series.seeds[place], 1);
+}
+
+/// What came of one seed. Neither a run nor a reason: its test was stopped or never begun.
+struct Tested {
+  std::optional<dem2d::LabRun> run, half_rate;  ///< the second only with the rate check
+  std::string why_failed;
+};
+
+LabResults sorted(const LabSeries& series, std::vector<Tested>& tested) {
+  LabResults results;
+  for (std::size_t place = 0; place < tested.size(); ++place) {
+    Tested& one = tested[place];
+    if (!one.why_failed.empty()) {
+      results.failures.emplace_back(series.seeds[place], one.why_failed);
+    } else if (one.run && (one.half_rate || !series.rate_check)) {
+      results.runs.push_back(std::move(*one.run));
+      if (one.half_rate) results.half_rate.push_back(std::move(*one.half_rate));
+    } else {
+      results.not_tested.push_back(series.seeds[place]);
+    }
+  }
+  return results;
+}
+
+}  // namespace
+
+void complete(LabSeries& series, const std::string& rock_file) {
+  dem2d::check_lab_settings(series.test, series.rock, series.settings, rock_file);
+  if (series.settings.strain_rate == 0.0)
+    series.settings.strain_rate = dem2d::default_strain_rate(series.test, series.rock, series.settings);
+  if (series.rate_check) dem2d::check_lab_settings(series.test, series.rock, at_half_rate(series.settings), rock_file);
+}
+
+LabResults run_series(const LabSeries& series, int jobs, const base::ProgressCallback& progress,
+                      const std::function<void(const dem2d::LabRun&)>& finished) {
+  const std::size_t count = series.seeds.size();
+  std::vector<Tested> tested(count);
+  base::SharedProgress shared(count, progress);
+  const double all_of_one = series.rate_check ? with_half_rate : 1.0;
+  std::mutex telling;
+  const auto test_one = [&](std::size_t place) {
+    const auto part_of = [&](double done, double weight) {
+      return [&, place, done, weight](double part, double whole) {
+        shared.set(place, (done + weight * part / whole) / all_of_one);
+      };
+    };
+    Tested& mine = tested[place];
+    try {
+      const dem2d::Specimen specimen = specimen_of(series, place);
+      mine.run = dem2d::run_lab_test(series.test, specimen, series.settings, part_of(0.0, 1.0));
+      {
+        const std::lock_guard lock(telling);
+        finished(*mine.run);
+      }
+      if (!series.rate_check) return;
+      mine.half_rate = dem2d::run_lab_test(series.test, specimen, at_half_rate(series.settings), part_of(1.0, 2.0));
+    } catch (const base::OutputError&) {
+      throw;  // no other could be written either
+    } catch (const base::SimulationError& error) {
+      mine.why_failed = error.what();
+      shared.set(place, 1.0);
+    }
+  };
+  std::exception_ptr ended_by;
+  try {
+    base::for_each_index(static_cast<int>(count), jobs, [&](int index) { test_one(static_cast<std::size_t>(index)); });
+  } catch (...) {
+    ended_by = std::current_exception();
+  }
+  LabResults results = sorted(series, tested);
+  results.ended_by = ended_by;
+  return results;
+}
+
+LabCost cost_of(const LabSeries& series) {
+  const dem2d::LabBox box = dem2d::specimen_box(series.test, series.settings);
+  LabCost cost;
+  cost.discs = series.given ? static_cast<double>(series.given->x.size())
+                            : dem2d::expected_discs(series.rock, box.width, box.height);
+  cost.duration = dem2d::expected_strain(series.test, series.rock) / series.settings.strain_rate;
+  cost.core_seconds = dem2d::expected_core_seconds(cost.duration / dem2d::expected_step(series.rock), cost.discs) *
+                      static_cast<double>(series.seeds.size()) * (series.rate_check ? with_half_rate : 1.0);
+  return cost;
+}
+
+std::span<const LabQuantity> lab_quantities() {
+  return quantities;
+}
+
+base::Summary summary_of(const LabQuantity& quantity, const std::vector<dem2d::LabRun>& runs) {
+  std::vector<double> values;
+  for (const dem2d::LabRun& run : runs) values.push_back(quantity.of(run));
+  return base::summarise(values);
+}
+
+RateCheck rate_check_of(const LabResults& results) {
+  RateCheck check{.mean_strength = summary_of(quantities[0], results.runs).mean,
+                  .mean_at_half_rate = summary_of(quantities[0], results.half_rate).mean};
+  check.change = check.mean_at_half_rate / check.mean_strength - 1.0;
+  check.slow_enough = std::fabs(check.change) < allowed_rate_change;
+  return check;
+}
+
+std::string curve_csv(const dem2d::LabRun& run) {
+  std::vector<std::vector<double>> columns(5);
+  for (const dem2d::LabSample& sample : run.curve) {
+    columns[0].push_back(sample.strain);
+    columns[1].push_back(sample.lateral_strain);
+    columns[2].push_back(sample.stress);
+    columns[3].push_back(sample.cracks_tensile);
+    columns[4].push_back(sample.cracks_shear);
+  }
+  return base::csv_text({"strain", "lateral_strain", "stress_Pa", "cracks_tensile", "cracks_shear"}, columns);
+}
+
+std::string rock_text(const LabSeries& series) {
+  dem2d::Rock rock = series.rock;
+  rock.specimen_width = series.settings.width;
+  rock.specimen_height = series.settings.height;
+  return base::to_exact_toml(dem2d::describe(rock));
+}
+
+std::string command_again(const LabSeries& series) {
+  std::string command = fmt::format("bitrock lab {} THIS_FILE", dem2d::name_of(series.test));
+  if (!series.given) {
+    command += fmt::format(" --seeds {}", fmt::join(series.seeds, ","));
+  } else {
+    command += " --specimen and the file of the specimen";
+  }
+  command += fmt::format(" --strain-rate-per-s {} --local-damping {}", series.settings.strain_rate,
+                         series.settings.local_damping);
+  if (series.test != dem2d::LabTest::tension)
+    command += fmt::format(" --platen-friction {}", series.settings.platen_friction);
+  return command;
+}
+
+}  // namespace bitrock::studies

@@ -1,0 +1,83 @@
+#pragma once
+/// Strength tests of one rock, a core a seed, side by side; on request each again at half the rate of loading.
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "base/statistics.hpp"
+#include "dem2d/lab/lab_test.hpp"
+
+namespace bitrock::studies {
+
+/// What is tested: the cores and the settings, complete.
+struct LabSeries {
+  dem2d::LabTest test = dem2d::LabTest::ucs;
+  dem2d::Rock rock;
+  dem2d::LabSettings settings;
+  std::vector<std::uint64_t> seeds;
+  std::optional<dem2d::Specimen> given;  ///< tested in place of cores packed here; `seeds` then holds its seed
+  bool rate_check = false;
+};
+
+/// The rate of loading is the usual one of the rock where the settings leave it 0. Throws `InputError` when the
+/// settings do not fit the test or the rock.
+void complete(LabSeries& series, const std::string& rock_file);
+
+/// The tests that were finished, in the order of the seeds; with the rate check those finished at both rates.
+struct LabResults {
+  std::vector<dem2d::LabRun> runs, half_rate;                   ///< the second empty without the rate check
+  std::vector<std::pair<std::uint64_t, std::string>> failures;  ///< seed, reason
+  std::vector<std::uint64_t> not_tested;                        ///< seeds
+  std::exception_ptr ended_by;                                  ///< what ended the work before all seeds were done
+};
+
+/// Runs the tests, `jobs` at a time. A test that fails is a result too; `finished` hears of each that did not, one at a
+/// time, as soon as it is done. Throws nothing of a test: what ended the series stands in the results.
+LabResults run_series(const LabSeries& series, int jobs, const base::ProgressCallback& progress,
+                      const std::function<void(const dem2d::LabRun&)>& finished);
+
+/// What the series will cost; discs of one core.
+struct LabCost {
+  double discs = 0.0;
+  double duration = 0.0;      ///< [s] simulated, until the expected strength
+  double core_seconds = 0.0;  ///< of all tests, without packing
+};
+LabCost cost_of(const LabSeries& series);
+
+/// A quantity of a test whose mean and scatter are told, with its name in JSON.
+struct LabQuantity {
+  const char* key;
+  double (*of)(const dem2d::LabRun&);
+};
+/// Peak stress first.
+std::span<const LabQuantity> lab_quantities();
+base::Summary summary_of(const LabQuantity& quantity, const std::vector<dem2d::LabRun>& runs);
+
+/// Halving the rate may change the mean strength by this share [1] before the rate counts as too fast.
+inline constexpr double allowed_rate_change = 0.03;
+
+struct RateCheck {
+  double mean_strength = 0.0, mean_at_half_rate = 0.0;  ///< [Pa]
+  double change = 0.0;                                  ///< [1] of the mean by halving the rate
+  bool slow_enough = false;
+};
+/// Of results with `half_rate`.
+RateCheck rate_check_of(const LabResults& results);
+
+/// A row a sample: strain, lateral strain, stress, cracks (docs/reference/formats.md).
+std::string curve_csv(const dem2d::LabRun& run);
+
+/// The rock with the size of its cores, read back to the same bits.
+std::string rock_text(const LabSeries& series);
+
+/// The command that makes these results again from the text of the rock.
+std::string command_again(const LabSeries& series);
+
+}  // namespace bitrock::studies

@@ -1,0 +1,40 @@
+#pragma once
+/// A force over time from a file of anybody: a run of bitrock, or a CSV with a header; and what its peaks say.
+
+#include <string>
+#include <vector>
+
+#include "peaks/parts.hpp"
+#include "peaks/statistics.hpp"
+#include "peaks/zero_force.hpp"
+
+namespace bitrock::studies {
+
+struct ForceHistory {
+  std::string column;
+  std::string time_column;                 ///< empty when there is none
+  std::vector<double> time;                ///< [s]; empty when there are none
+  std::vector<double> force;               ///< [unit of the column]; NaN where a sample is missing
+  std::vector<std::string> other_columns;  ///< of a CSV: beside force and time
+};
+
+/// `column`: which force; empty for x_N_per_m of a run, or the only CSV column beside the time. `time`: which CSV
+/// column holds the times in seconds; empty for time_s, if there is one. Throws `InputError` with file and column when
+/// they are not there, are not in seconds, do not rise, or hold no number.
+ForceHistory read_force_history(const std::string& file, const std::string& column, const std::string& time);
+
+/// What is found in a history.
+struct ForceFindings {
+  peaks::PeakStatistics all;
+  peaks::ZeroForce zero;
+  std::vector<peaks::Part> parts;
+  std::size_t not_a_number = 0, infinite = 0;  ///< samples that are NaN, +infinity
+  double mean_period = 0.0;                    ///< without force [s]
+  bool even = true;                            ///< samples are evenly spaced, as far as is known
+  double mean = 0.0;                           ///< of the finite samples
+};
+
+/// `parts`: so many equal parts of the time, or of the samples when there are no times.
+ForceFindings find_in(const ForceHistory& history, int parts);
+
+}  // namespace bitrock::studies

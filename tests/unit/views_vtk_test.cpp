@@ -1,0 +1,130 @@
+// Files for ParaView, read back: each array is found at its offset, is as long as it says, and holds what was put in.
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+
+#include "tests/unit/output_fixtures.hpp"
+#include "views/cut/vtk_export.hpp"
+
+using namespace bitrock;
+
+namespace {
+
+/// Base64 back to bytes, up to its padding or the first character that is none of its digits.
+std::string decoded(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t word = 0;
+  int bits = 0;
+  for (const char c : text) {
+    const std::size_t digit = digits.find(c);
+    if (digit == std::string::npos) break;
+    word = word << 6 | static_cast<std::uint32_t>(digit);
+    bits += 6;
+    if (bits >= 8) bytes += static_cast<char>(word >> (bits -= 8) & 255u);
+  }
+  return bytes;
+}
+
+std::string between(const std::string& text, const std::string& before, const std::string& after,
+                    std::size_t from = 0) {
+  const std::size_t begin = text.find(before, from);
+  if (begin == std::string::npos) return "";
+  const std::size_t start = begin + before.size();
+  return text.substr(start, text.find(after, start) - start);
+}
+
+/// The values of the array of this name and type; fails the test when its length is not the one in front of it.
+template <class T>
+std::vector<T> array(const std::string& vtp, const std::string& type, const std::string& name) {
+  const std::string element = between(vtp, "<DataArray type=\"" + type + "\" Name=\"" + name + "\"", "/>");
+  EXPECT_FALSE(element.empty()) << name;
+  const std::string block = between(vtp, "<AppendedData encoding=\"base64\">_", "<");
+  const std::string bytes = decoded(block.substr(std::stoul(between(element, "offset=\"", "\""))));
+  std::uint64_t length = 0;
+  std::memcpy(&length, bytes.data(), sizeof length);
+  // every array ends in the padding of its base64 or exactly: the decoder stopped there or runs into the next one
+  EXPECT_LE(sizeof length + length, bytes.size()) << name;
+  EXPECT_EQ(length % sizeof(T), 0u);
+  std::vector<T> values(length / sizeof(T));
+  if (length > 0) std::memcpy(values.data(), bytes.data() + sizeof length, length);
+  return values;
+}
+std::vector<double> reals(const std::string& vtp, const std::string& name) {
+  return array<double>(vtp, "Float64", name);
+}
+std::vector<int> integers(const std::string& vtp, const std::string& name) {
+  return array<int>(vtp, "Int32", name);
+}
+
+const dem2d::Frame frame = output_fixtures::frame_at(2e-3, 2e-3);
+
+TEST(Vtk, Discs) {
+  const std::string vtp = views::vtp_text(views::vtk_discs(frame));
+  EXPECT_NE(vtp.find("<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">"),
+            std::string::npos);
+  EXPECT_NE(vtp.find("<Piece NumberOfPoints=\"4\" NumberOfVerts=\"4\">"), std::string::npos);
+  EXPECT_EQ(reals(vtp, "position_m"),
+            (std::vector<double>{6e-3, 1e-3, 0, 7e-3, 1e-3, 0, 8e-3, 3e-3, 0, 9e-3, 3e-3, 0}));
+  EXPECT_EQ(reals(vtp, "radius_m"), frame.radius);
+  EXPECT_EQ(reals(vtp, "velocity_m_per_s"), (std::vector<double>{0, 0, 0, 0.25, 0, 0, 0.5, 1, 0, -0.5, 2, 0}));
+  EXPECT_NE(vtp.find("Name=\"velocity_m_per_s\" NumberOfComponents=\"3\""), std::string::npos);
+  EXPECT_EQ(integers(vtp, "id"), frame.id);
+  EXPECT_EQ(integers(vtp, "fragment"), frame.fragment);
+  EXPECT_EQ(integers(vtp, "connectivity"), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(integers(vtp, "offsets"), (std::vector<int>{1, 2, 3, 4}));
+}
+
+TEST(Vtk, JointsFindTheirDiscsById) {
+  const std::string vtp = views::vtp_text(views::vtk_joints(frame));
+  EXPECT_NE(vtp.find("<Piece NumberOfPoints=\"4\" NumberOfLines=\"2\">"), std::string::npos);
+  EXPECT_EQ(integers(vtp, "connectivity"), (std::vector<int>{0, 1, 2, 3})) << "disc 4 stands in place 3";
+  EXPECT_EQ(integers(vtp, "offsets"), (std::vector<int>{2, 4}));
+}
+
+TEST(Vtk, CracksUpToTheInstant) {
+  const std::string vtp = views::vtp_text(views::vtk_cracks(output_fixtures::run(), frame));
+  EXPECT_NE(vtp.find("<Piece NumberOfPoints=\"4\" NumberOfLines=\"2\">"), std::string::npos) << "the third comes later";
+  EXPECT_EQ(reals(vtp, "time_s"), (std::vector<double>{1e-3, 1.5e-3}));
+  EXPECT_EQ(reals(vtp, "length_m"), (std::vector<double>{0.5e-3, 0.5e-3}));
+  EXPECT_EQ(integers(vtp, "mode"), (std::vector<int>{1, 1}));
+  EXPECT_EQ(integers(vtp, "parted"), (std::vector<int>{0, 1}));
+  // two elements of 0.5 mm: a face of 1 mm upright at (6.5, 1), and one that stays at (6.6, 1.5)
+  const std::vector<double> expected{6.5e-3, 0.5e-3, 0, 6.5e-3, 1.5e-3, 0, 6.6e-3, 1e-3, 0, 6.6e-3, 2e-3, 0};
+  const std::vector<double> points = reals(vtp, "position_m");
+  ASSERT_EQ(points.size(), expected.size());
+  for (std::size_t k = 0; k < points.size(); ++k) EXPECT_NEAR(points[k], expected[k], 1e-15) << k;
+}
+
+TEST(Vtk, CracksSayTheirMode) {
+  const std::string vtp =
+      views::vtp_text(views::vtk_cracks(output_fixtures::run(), output_fixtures::frame_at(4e-3, 0)));
+  EXPECT_EQ(integers(vtp, "mode"), (std::vector<int>{1, 1, 2}));
+  EXPECT_EQ(integers(vtp, "parted"), (std::vector<int>{0, 1, 0}));
+}
+
+TEST(Vtk, CutterWithTheForceOfItsInstant) {
+  const std::string vtp = views::vtp_text(views::vtk_cutter(output_fixtures::run(), frame));
+  EXPECT_NE(vtp.find("<Piece NumberOfPoints=\"4\" NumberOfPolys=\"1\">"), std::string::npos);
+  EXPECT_EQ(reals(vtp, "force_x_N_per_m"), (std::vector<double>{2000.0}));
+  EXPECT_EQ(reals(vtp, "force_y_N_per_m"), (std::vector<double>{-200.0}));
+  const std::vector<double> points = reals(vtp, "position_m");
+  EXPECT_DOUBLE_EQ(points[0], 2e-3);
+  EXPECT_DOUBLE_EQ(points[1], 3e-3) << "the tip is one depth of cut below the surface at 4 mm";
+}
+
+TEST(Vtk, NothingIsAnEmptyFileThatStillNamesItsArrays) {
+  const std::string vtp = views::vtp_text(views::vtk_cracks(output_fixtures::run(), output_fixtures::frame_at(0, 0)));
+  EXPECT_NE(vtp.find("<Piece NumberOfPoints=\"0\" NumberOfLines=\"0\">"), std::string::npos);
+  EXPECT_TRUE(integers(vtp, "mode").empty());
+}
+
+TEST(Vtk, ListOfInstants) {
+  const views::VtkInstant instants[] = {{0.0025, "frames/discs_0000.vtp"}, {1.0 / 3.0, "frames/discs_0001.vtp"}};
+  const std::string pvd = views::pvd_text(instants);
+  EXPECT_NE(pvd.find("<DataSet timestep=\"0.0025\" part=\"0\" file=\"frames/discs_0000.vtp\"/>"), std::string::npos);
+  EXPECT_EQ(std::stod(between(pvd, "timestep=\"", "\"", pvd.find("0001") - 60)), 1.0 / 3.0);
+}
+
+}  // namespace

@@ -1,0 +1,223 @@
+// Report chapters about drill runs: one run, or a few side by side.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <span>
+
+#include "base/units.hpp"
+
+#include "views/drill/chapter.hpp"
+
+namespace bitrock::views {
+
+namespace {
+
+using base::kN, base::m_per_h, base::mm, base::rpm;
+
+using Cell = std::function<std::string(const ShownRun&)>;
+
+struct Row {
+  std::string name;
+  Cell cell;
+};
+
+report::Table table_of(const std::vector<ShownRun>& runs, const std::string& caption, const std::vector<Row>& rows) {
+  report::Table table{.caption = caption, .header = {""}};
+  for (const ShownRun& run : runs) table.header.push_back(run.label);
+  for (const Row& row : rows) {
+    std::vector<std::string> cells{row.name};
+    for (const ShownRun& run : runs) cells.push_back(row.cell(run));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string source_words(const runtime::DrillFile& file) {
+  switch (file.drill.source.kind) {
+    case runtime::SourceKind::none:
+      return "none";
+    case runtime::SourceKind::sinusoidal:
+      return fmt::format("sinusoid, {:g} waves a turn", file.drill.source.waves_per_turn);
+    case runtime::SourceKind::noise:
+      return "noise";
+    case runtime::SourceKind::bit:
+      break;
+  }
+  return fmt::format("networks (model {})", file.model.substr(0, 8));
+}
+
+std::string drive_words(const runtime::TopDrive& drive) {
+  return drive.imposes_speed ? fmt::format("{:.4g} rpm", drive.rotation / rpm)
+                             : fmt::format("{:.4g} N m", drive.torque);
+}
+
+std::string listed(const std::vector<double>& frequencies) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, frequencies.size()); ++i)
+    text += fmt::format("{}{:.3g}", text.empty() ? "" : ", ", frequencies[i]);
+  if (text.empty()) return "-";
+  return frequencies.size() > most ? text + ", ..." : text;
+}
+
+std::string strongest(const base::Spectrum& spectrum) {
+  const double frequency = base::strongest_frequency(spectrum);
+  return frequency > 0.0 ? fmt::format("{:.3g}", frequency) : "-";
+}
+
+std::string share(double value) {
+  return fmt::format("{:.3g}", 100.0 * value);
+}
+
+report::Table case_table(const std::vector<ShownRun>& runs) {
+  return table_of(
+      runs, "What was run. The first seconds, while it settles, are in the plots over time only.",
+      {{"case", [](const ShownRun& run) { return run.file.drill.name; }},
+       {"rock", [](const ShownRun& run) { return run.file.drill.rock.empty() ? "-" : run.file.drill.rock; }},
+       {"top drive", [](const ShownRun& run) { return drive_words(run.file.drill.drive); }},
+       {"hook load [kN]",
+        [](const ShownRun& run) { return fmt::format("{:.4g}", run.file.drill.drive.hook_load / kN); }},
+       {"excitation", [](const ShownRun& run) { return source_words(run.file); }},
+       {"run, settling [s]",
+        [](const ShownRun& run) {
+          return fmt::format("{:g}, {:g}", run.file.drill.run.duration, run.file.drill.run.settling);
+        }},
+       {"step, sample [ms]",
+        [](const ShownRun& run) {
+          return fmt::format("{:.3g}, {:.3g}", run.file.run.step * 1e3, run.file.drill.run.sample * 1e3);
+        }},
+       {"natural, torsion, bit free [Hz]", [](const ShownRun& run) { return listed(run.file.modes.torsional); }},
+       {"natural, axial, bit on rock [Hz]", [](const ShownRun& run) { return listed(run.file.modes.axial); }},
+       {"natural, axial, bit lifted [Hz]",
+        [](const ShownRun& run) { return listed(run.file.modes.axial_off_bottom); }}});
+}
+
+/// Two rows: mean with standard deviation, and the extremes.
+void add_spread(std::vector<Row>& rows, const std::string& name, runtime::Spread runtime::DrillSummary::*spread,
+                double unit) {
+  rows.push_back({name, [=](const ShownRun& run) {
+                    const runtime::Spread& seen = run.file.run.summary.*spread;
+                    return fmt::format("{:.4g} \u00b1 {:.3g}", seen.mean / unit, seen.deviation / unit);
+                  }});
+  rows.push_back({"\u2003lowest to highest", [=](const ShownRun& run) {
+                    const runtime::Spread& seen = run.file.run.summary.*spread;
+                    return fmt::format("{:.4g} to {:.4g}", seen.lowest / unit, seen.highest / unit);
+                  }});
+}
+
+report::Table summary_table(const std::vector<ShownRun>& runs) {
+  using Summary = runtime::DrillSummary;
+  using Clamps = runtime::ClampTally;
+  const auto number = [](double Summary::*value, double unit) {
+    return [=](const ShownRun& run) { return fmt::format("{:.4g}", run.file.run.summary.*value / unit); };
+  };
+  const auto percent = [](double Summary::*value) {
+    return [=](const ShownRun& run) { return share(run.file.run.summary.*value); };
+  };
+  std::vector<Row> rows{{"stick-slip severity", number(&Summary::severity, 1.0)},
+                        {"bit at rest [% of time]", percent(&Summary::share_at_rest)},
+                        {"bit turning back [%]", percent(&Summary::share_backwards)},
+                        {"bit off bottom [%]", percent(&Summary::share_off_bottom)}};
+  add_spread(rows, "bit speed [rpm]", &Summary::bit_rotation, rpm);
+  add_spread(rows, "weight on bit [kN]", &Summary::weight_on_bit, kN);
+  add_spread(rows, "rock on bit in all [kN]", &Summary::total_force, kN);
+  rows.push_back({"static weight on bit [kN]", number(&Summary::static_weight_on_bit, kN)});
+  add_spread(rows, "torque on bit [N m]", &Summary::torque, 1.0);
+  add_spread(rows, "force of the source [kN]", &Summary::source_force, kN);
+  add_spread(rows, "torque of the source [N m]", &Summary::source_torque, 1.0);
+  add_spread(rows, "rate of penetration [m/h]", &Summary::rop, m_per_h);
+  rows.push_back({"drilled [mm]", number(&Summary::drilled, mm)});
+  rows.push_back({"strongest in bit speed [Hz]", [](const ShownRun& run) { return strongest(run.bit_speed); }});
+  rows.push_back({"strongest in torque [Hz]", [](const ShownRun& run) { return strongest(run.torque); }});
+  rows.push_back({"strongest in weight on bit [Hz]", [](const ShownRun& run) { return strongest(run.weight_on_bit); }});
+  rows.push_back({"questions to networks", [](const ShownRun& run) {
+                    return run.file.run.summary.clamps.asked == 0
+                               ? "-"
+                               : fmt::format("{}", run.file.run.summary.clamps.asked);
+                  }});
+  const auto outside = [](std::int64_t Clamps::*below, std::int64_t Clamps::*above) {
+    return [=](const ShownRun& run) {
+      const Clamps& clamps = run.file.run.summary.clamps;
+      const auto count = static_cast<double>(clamps.*below + clamps.*above);
+      return clamps.asked == 0 ? "-" : share(count / static_cast<double>(clamps.asked));
+    };
+  };
+  rows.push_back(
+      {"\u2003speed outside their range [% of questions]", outside(&Clamps::speed_below, &Clamps::speed_above)});
+  rows.push_back(
+      {"\u2003depth outside their range [% of questions]", outside(&Clamps::depth_below, &Clamps::depth_above)});
+  rows.push_back(
+      {"\u2003rake outside their range [% of questions]", outside(&Clamps::rake_below, &Clamps::rake_above)});
+  rows.push_back({"energy lost by the solver [%]", percent(&Summary::energy_residual)});
+  return table_of(
+      runs,
+      "What came out, over all steps after settling: mean \u00b1 standard deviation. Severity: (highest - lowest) / "
+      "(2 mean) of the bit's speed, 1 where it just comes to rest. At rest: slower than 1 rpm. Off bottom: no weight "
+      "on bit. Rock on bit in all: weight on bit and the force of the source, in the mean the static weight. "
+      "Strongest: frequency of the highest value of a spectrum. Outside: of the conditions that networks were asked "
+      "for, one question a cutter and window; one question may be outside in several ways. Energy lost: over the work "
+      "that went through the "
+      "string.",
+      rows);
+}
+
+/// Says which answers of the networks came from the edge of their training range.
+void add_clamp_notes(report::Page& page, const std::vector<ShownRun>& runs) {
+  for (const ShownRun& run : runs) {
+    const runtime::ClampTally& clamps = run.file.run.summary.clamps;
+    if (clamps.clamped() == 0) continue;
+    const std::pair<const char*, std::int64_t> reasons[] = {
+        {"speed below", clamps.speed_below}, {"speed above", clamps.speed_above}, {"depth below", clamps.depth_below},
+        {"depth above", clamps.depth_above}, {"rake below", clamps.rake_below},   {"rake above", clamps.rake_above}};
+    std::string said;
+    for (const auto& [reason, count] : reasons) {
+      if (count == 0) continue;
+      said += fmt::format("{}{} the range {} times, {} %", said.empty() ? "" : "; ", reason, count,
+                          share(static_cast<double>(count) / static_cast<double>(clamps.asked)));
+    }
+    page.note(fmt::format(
+        "{}: the networks were asked {} times, some of them outside their training range ({}). There the answer is "
+        "that of the nearest edge.",
+        run.label, clamps.asked, said));
+  }
+}
+
+/// "WOB [kN], ROP [m/h] over time [s]."
+std::string axes_of(std::span<const report::Plot> row) {
+  std::vector<std::string> labels;
+  for (const report::Plot& plot : row) {
+    if (std::find(labels.begin(), labels.end(), plot.y_label) == labels.end()) labels.push_back(plot.y_label);
+  }
+  return fmt::format("{} over {}.", fmt::join(labels, ", "), row.front().x_label);
+}
+
+/// A row of the figure is a row of the page, or a plot of its own width.
+void add_figure(report::Page& page, const report::Figure& figure) {
+  if (figure.columns == 1) {
+    for (const report::Plot& plot : figure.plots) page.plot(plot);
+    return;
+  }
+  const auto columns = static_cast<std::size_t>(figure.columns);
+  for (std::size_t first = 0; first < figure.plots.size(); first += columns) {
+    const auto row = std::span(figure.plots).subspan(first, std::min(columns, figure.plots.size() - first));
+    page.plots_in_row({row.begin(), row.end()}, axes_of(row));
+  }
+}
+
+}  // namespace
+
+void add_drill_chapters(report::Page& page, const std::vector<ShownRun>& runs,
+                        const std::vector<report::Figure>& figures) {
+  page.section("Summary");
+  page.table(case_table(runs));
+  page.table(summary_table(runs));
+  add_clamp_notes(page, runs);
+  const char* headings[] = {"Over time", "A closer look", "Spectra", "Orbit"};
+  for (std::size_t k = 0; k < figures.size(); ++k) {
+    page.section(headings[k], figures[k].caption);
+    add_figure(page, figures[k]);
+  }
+}
+
+}  // namespace bitrock::views

@@ -1,0 +1,153 @@
+#include "views/lab/lab_picture.hpp"
+
+#include <cairo.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "views/cut/picture.hpp"
+
+namespace bitrock::views {
+
+namespace {
+
+// Room around the core for platens and pieces, as a share of its width.
+constexpr double room_beside = 0.30, room_above = 0.12;
+
+// One colour a specimen; distinct for colour-blind readers [OkabeIto2008].
+constexpr Colour curve_lines[] = {{0.00, 0.45, 0.70}, {0.84, 0.37, 0.00}, {0.00, 0.62, 0.45}, {0.80, 0.47, 0.65},
+                                  {0.34, 0.71, 0.91}, {0.90, 0.62, 0.00}, {0.35, 0.35, 0.35}};
+constexpr std::size_t most_legend_entries = 12;
+
+const char* title_of(dem2d::LabTest test) {
+  switch (test) {
+    case dem2d::LabTest::ucs:
+      return "uniaxial compression";
+    case dem2d::LabTest::tension:
+      return "direct tension";
+    case dem2d::LabTest::brazilian:
+      return "Brazilian test";
+  }
+  return "";
+}
+
+/// Platens as solid bars; grips as bars over the discs they hold.
+void draw_ends(const Picture& picture, const dem2d::LabRun& run, double width) {
+  const double thick = room_above * width;
+  const double x_low = -0.12 * width, x_high = 1.12 * width;
+  draw_polygon(picture, dem2d::rectangle(x_low, run.last.low - thick, x_high, run.last.low), tool_fill);
+  draw_polygon(picture, dem2d::rectangle(x_low, run.last.high, x_high, run.last.high + thick), tool_fill);
+}
+
+/// Least and greatest strain and greatest stress over all curves.
+struct Extent {
+  double strain_low = 0.0, strain_high = 0.0, stress_high = 0.0;
+};
+
+Extent extent_of(std::span<const dem2d::LabRun> runs) {
+  Extent extent;
+  for (const dem2d::LabRun& run : runs) {
+    // after the peak strains of the middle half may be those of loose pieces: they do not set the scale
+    for (const dem2d::LabSample& sample : run.curve) {
+      extent.stress_high = std::max(extent.stress_high, sample.stress);
+      extent.strain_high = std::max(extent.strain_high, std::min(sample.strain, 1.3 * run.strain_at_peak));
+      extent.strain_low = std::min(extent.strain_low, std::max(sample.lateral_strain, -run.strain_at_peak));
+    }
+  }
+  return extent;
+}
+
+void draw_line(const Picture& picture, const std::vector<dem2d::LabSample>& curve, bool lateral) {
+  cairo_t* cairo = picture.cairo();
+  cairo_new_path(cairo);
+  cairo_move_to(cairo, picture.px(0.0), picture.py(0.0));
+  for (const dem2d::LabSample& sample : curve) {
+    cairo_line_to(cairo, picture.px(lateral ? sample.lateral_strain : sample.strain), picture.py(sample.stress));
+  }
+  cairo_stroke(cairo);
+}
+
+}  // namespace
+
+std::string draw_broken_core(const dem2d::LabRun& run, const std::string& rock_name, int width_px) {
+  const double width = run.width, height = run.height;
+  const Picture picture = Picture::of_world({.x_low = -room_beside * width,
+                                             .y_low = -1.5 * room_above * width,
+                                             .x_high = (1.0 + room_beside) * width,
+                                             .y_high = height + 1.5 * room_above * width,
+                                             .left = 80.0,
+                                             .top = 112.0,
+                                             .right = 20.0,
+                                             .bottom = 64.0},
+                                            width_px);
+  const DrawnDiscs discs{run.last.x, run.last.y, run.last.radius, run.last.id, run.last.fragment, run.discs};
+  picture.clipped([&] {
+    draw_discs(picture, discs);
+    draw_ends(picture, run, width);
+    draw_cracks(picture, discs, run.cracks);
+  });
+  picture.font_size(17.0);
+  const double tick = tick_of((picture.frame().x_high - picture.frame().x_low) * 1e3);
+  draw_axes(picture, {1e3, tick, "x [mm]"}, {1e3, tick, "height [mm]"});
+  const LegendEntry entries[] = {{rock_fill, false, "largest piece"},
+                                 {chip_fills[0], false, "pieces"},
+                                 {dust_fill, false, "loose grains"},
+                                 {tension_line, true, fmt::format("tension ({})", run.cracks_tensile)},
+                                 {shear_line, true, fmt::format("shear ({})", run.cracks_shear)}};
+  draw_legend(picture, entries);
+  picture.font_size(20.0);
+  picture.use(ink);
+  picture.text(picture.frame().left, 32.0, fmt::format("{}, {}", rock_name, title_of(run.test)));
+  picture.font_size(18.0);
+  picture.text(picture.frame().left, 62.0,
+               fmt::format("seed {}, strength {:.3g} MPa, drawn at {:.3g} MPa after the peak", run.seed,
+                           run.peak_stress * 1e-6, run.curve.back().stress * 1e-6));
+  return picture.png();
+}
+
+std::string draw_curves(std::span<const dem2d::LabRun> runs, const std::string& rock_name, int width_px) {
+  const Extent extent = extent_of(runs);
+  const bool lateral = runs.front().test != dem2d::LabTest::brazilian;
+  const double span = extent.strain_high - (lateral ? extent.strain_low : 0.0);
+  const Picture picture = Picture::of_curves({.x_low = lateral ? extent.strain_low - 0.03 * span : 0.0,
+                                              .y_low = 0.0,
+                                              .x_high = extent.strain_high + 0.03 * span,
+                                              .y_high = 1.08 * extent.stress_high,
+                                              .left = 80.0,
+                                              .top = 84.0,
+                                              .right = 20.0,
+                                              .bottom = 64.0},
+                                             width_px, width_px * 2 / 3);
+  cairo_t* cairo = picture.cairo();
+  picture.clipped([&] {
+    cairo_set_line_width(cairo, 2.0);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      picture.use(curve_lines[k % std::size(curve_lines)]);
+      draw_line(picture, runs[k].curve, false);
+      if (lateral) draw_line(picture, runs[k].curve, true);
+    }
+    picture.use(ink);
+    cairo_set_line_width(cairo, 1.0);
+    picture.line(picture.px(0.0), picture.py(0.0), picture.px(0.0), picture.py(picture.frame().y_high));
+  });
+  picture.font_size(17.0);
+  const bool pulls = runs.front().test == dem2d::LabTest::tension;
+  const std::string along =
+      lateral ? "lateral strain < 0 < strain along the load [%]" : "shortening of the diameter [%]";
+  draw_axes(picture, {1e2, tick_of(1e2 * (picture.frame().x_high - picture.frame().x_low)), along},
+            {1e-6, tick_of(1e-6 * picture.frame().y_high), pulls ? "tension [MPa]" : "stress [MPa]"});
+  std::vector<LegendEntry> entries;
+  for (std::size_t k = 0; k < std::min(runs.size(), most_legend_entries); ++k) {
+    entries.push_back({curve_lines[k % std::size(curve_lines)], true, fmt::format("{}", runs[k].seed)});
+  }
+  draw_legend(picture, entries);
+  picture.font_size(20.0);
+  picture.use(ink);
+  picture.text(picture.frame().left, 32.0, fmt::format("{}, {}, by seed", rock_name, title_of(runs.front().test)));
+  return picture.png();
+}
+
+}  // namespace bitrock::views
