@@ -22,6 +22,7 @@ using studies::Property;
 
 struct Options {
   CommonOptions common;
+  int jobs = 1;
   std::string target_file, output, journal_file, validate_seeds;
   bool friction = false;
 };
@@ -90,14 +91,14 @@ void print_plan(const Options& options, const studies::CalibrationTarget& target
   const studies::CalibrationSettings& settings = target.settings;
   const dem2d::LabSettings lab = studies::lab_settings_of(target);
   const studies::CalibrationCost cost = studies::cost_of(target);
-  const double minutes = cost.core_seconds / options.common.threads / 60.0;
+  const double minutes = cost.core_seconds / options.jobs / 60.0;
   say(options.common,
       "{}: cores of {:g} x {:g} mm, about {:.0f} discs; seeds {} to {}, {} of them while scouting; about {:.2g} s of "
       "one core a specimen; usually {} + {} evaluations (at most {}), about {:.2g} minutes on {} cores\n",
       target.name, base::in_units(lab.width, base::mm), base::in_units(lab.height, base::mm), cost.discs,
       settings.first_seed, settings.first_seed + settings.seeds - 1, settings.scouting_seeds,
       cost.core_seconds_per_specimen, studies::usual_coarse_evaluations, studies::usual_fine_evaluations,
-      settings.most_evaluations, minutes, options.common.threads);
+      settings.most_evaluations, minutes, options.jobs);
   write_json(options.common, {{"discs", std::llround(cost.discs)},
                               {"seeds", settings.seeds},
                               {"scouting_seeds", settings.scouting_seeds},
@@ -241,7 +242,7 @@ void run(const Options& options) {
   studies::Journal journal(journal_file, studies::journal_inputs(target));
   if (!journal.left_out().empty()) warn(options.common, journal.left_out());
   if (options.common.check) return print_plan(options, target);
-  studies::Laboratory laboratory(target, journal, options.common.threads);
+  studies::Laboratory laboratory(target, journal, options.jobs);
   try {
     run_calibration(options, target, fresh_list, laboratory);
   } catch (const base::Interrupted&) {
@@ -270,10 +271,7 @@ void add_calibrate(CLI::App& app) {
                    "then test the result on these fresh specimens, e.g. 101:110")
       ->check(not_empty());
   add_common(*command, options->common);
-  options->common.threads = cores();
-  command->add_option("--threads", options->common.threads, "tests side by side (the result does not depend on it)")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+  add_jobs(*command, options->jobs, "tests", Spelling::jobs_or_threads);
   command->add_flag("--check", options->common.check, "read target and journal, say what it will cost, and stop");
   command->callback([options] { run(*options); });
 }

@@ -22,7 +22,7 @@ struct CollectFlags {
 };
 
 struct RunFlags : CollectFlags {
-  int workers = cores();
+  int workers = 1;
   std::string shard = "1/1";
 };
 
@@ -151,9 +151,7 @@ void add_run(CLI::App& campaign) {
   CLI::App* command =
       add_campaign_action(campaign, "run", "run what is not done yet; stop and repeat at will", flags->campaign);
   add_campaign_folder(*command, flags->campaign);
-  command->add_option("--jobs", flags->workers, "cuts at a time, one core each")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_jobs(*command, flags->workers, "cuts");
   command->add_option("--shard", flags->shard, "only every n-th job, beginning with the i-th: i/n")
       ->capture_default_str();
   add_accept(*command, *flags);

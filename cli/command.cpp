@@ -54,6 +54,15 @@ void add_computing(CLI::App& command, CommonOptions& options) {
   command.add_flag("--check", options.check, "read the input, print what follows from it, and stop");
 }
 
+void add_jobs(CLI::App& command, int& jobs, const std::string& what, Spelling spelling) {
+  jobs = cores();
+  command
+      .add_option(spelling == Spelling::jobs_or_threads ? "--jobs,--threads" : "--jobs", jobs,
+                  what + " at a time, one core each (the result does not depend on it)")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+}
+
 void require_outputs(const CommonOptions& options, const std::vector<std::filesystem::path>& inputs,
                      const std::vector<std::filesystem::path>& outputs) {
   std::vector<std::filesystem::path> all = outputs;

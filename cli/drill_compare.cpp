@@ -129,16 +129,13 @@ void compare(const Options& options) {
 
 void add_drill_compare(CLI::App& drill) {
   auto options = std::make_shared<Options>();
-  options->jobs = cores();
   CLI::App* command = drill.add_subcommand(
       "compare", "the case under networks, sine and white noise of equal mean and RMS, over several seeds");
   command->add_option("case", options->case_file, "drilling case, e.g. campaigns/drill/normal.toml")->required();
   command->add_option("--model", options->model_file, "model.json, instead of the one the case names")
       ->check(not_empty());
   command->add_option("--seeds", options->seeds, "seeds of the excitation, e.g. 1,2,5:10")->default_val("1:10");
-  command->add_option("--jobs", options->jobs, "runs at a time, one core each")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_jobs(*command, options->jobs, "runs");
   command
       ->add_option("-o,--output", options->folder,
                    "folder to write: each run (.h5), summary.csv with a row a run, summary.md with a row a quantity")

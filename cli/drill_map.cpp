@@ -125,7 +125,6 @@ void run(const Options& options) {
 
 void add_drill_map(CLI::App& drill) {
   auto options = std::make_shared<Options>();
-  options->jobs = cores();
   CLI::App* command =
       drill.add_subcommand("map", "stick-slip and bit bounce over hook load and speed of the top drive");
   command->add_option("case", options->case_file, "drilling case, e.g. campaigns/drill/stick_slip.toml")->required();
@@ -137,9 +136,7 @@ void add_drill_map(CLI::App& drill) {
       ->default_val("20:140:12");
   command->add_option("--seeds", options->seeds, "seeds of the excitation, e.g. 1,2,5:10; the picture shows their mean")
       ->default_val("1");
-  command->add_option("--jobs", options->jobs, "runs at a time, one core each")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_jobs(*command, options->jobs, "runs");
   command->add_option("-o,--output", options->output, "table to write, a row a run (.csv)")
       ->default_val("map.csv")
       ->check(not_empty());

@@ -21,6 +21,7 @@ namespace {
 
 struct Options {
   CommonOptions common;
+  int jobs = 1;
   std::string test_name, rock_file, specimen_file, folder, seeds = "1";
   dem2d::LabTest test = dem2d::LabTest::ucs;  ///< that of `test_name`
   bool seeds_given = false, platen_friction_given = false;
@@ -165,7 +166,7 @@ void print_plan(const Options& options, const studies::LabSeries& series) {
 
 studies::LabResults tested(const Options& options, const studies::LabSeries& series) {
   Progress line(options.common, std::string(dem2d::name_of(series.test)) + " tests", "specimens");
-  return studies::run_series(series, options.common.threads, line.callback(),
+  return studies::run_series(series, options.jobs, line.callback(),
                              [&](const dem2d::LabRun& run) { write_files(options, series, run); });
 }
 
@@ -221,7 +222,6 @@ void run(const Options& options) {
 
 void add_lab(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  options->common.threads = cores();
   CLI::App* command =
       app.add_subcommand("lab",
                          "strength tests: uniaxial compression, direct tension, Brazilian\n"
@@ -256,9 +256,7 @@ void add_lab(CLI::App& app) {
                    "TEST_rock.toml (the rock that was tested)")
       ->check(not_empty());
   add_common(*command, options->common);
-  command->add_option("--threads", options->common.threads, "specimens side by side (the result does not depend on it)")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+  add_jobs(*command, options->jobs, "specimens", Spelling::jobs_or_threads);
   command->add_flag("--check", options->common.check, "read the input, say what the tests will cost, and stop");
   command->callback([options, seeds, platen_friction] {
     options->test = test_named(options->test_name);

@@ -17,7 +17,8 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string model_file, data_file, report_file;
+  std::string model_file, report_file;
+  std::vector<std::string> data_files;
   FigureOptions figures;
   bool unseen = false;
 };
@@ -93,7 +94,7 @@ void warn_of_data(const Options& options, const surrogate::TrainingData& data, c
     warn(options.common,
          fmt::format("{} is not the file the model learnt from; cases of the same number are taken for the same cases "
                      "(--unseen if they are not)",
-                     options.data_file));
+                     data.file));
   }
   if (parity.outside_training_range > 0) {
     warn(options.common, fmt::format("{} cases held out lie outside the training range: the networks extrapolate there",
@@ -122,7 +123,7 @@ std::vector<report::Figure> all_figures(const surrogate::Parity& parity) {
 
 void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
-  const surrogate::TrainingData data = surrogate::read_training_data(options.data_file);
+  const surrogate::TrainingData data = surrogate::read_training_data(options.data_files);
   const surrogate::Parity parity = surrogate::parity(
       model, data, options.unseen ? surrogate::CaseNumbers::of_another_study : surrogate::CaseNumbers::as_in_training);
   std::vector<report::Figure> figures;
@@ -130,7 +131,9 @@ void run(const Options& options) {
   if (!options.report_file.empty()) outputs.emplace_back(options.report_file);
   if (!options.figures.folder.empty()) figures = all_figures(parity);
   for (const auto& path : report::figure_paths(options.figures.where(), figures)) outputs.push_back(path);
-  require_outputs(options.common, {options.model_file, options.data_file}, outputs);
+  std::vector<std::filesystem::path> inputs(options.data_files.begin(), options.data_files.end());
+  inputs.emplace_back(options.model_file);
+  require_outputs(options.common, inputs, outputs);
 
   say_table(options.common, parity);
   warn_of_data(options, data, parity);
@@ -151,7 +154,8 @@ void add_parity(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("parity", "compare a model with DEM data, beside the scatter of the data");
   command->add_option("model", options->model_file, "model.json")->required();
-  command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
+  command->add_option("data", options->data_files, "features.csv or features_mean.csv; several tables count as one")
+      ->required();
   command->add_option("--report", options->report_file, "HTML file to write")->check(not_empty());
   add_figure_options(*command, options->figures);
   command->add_flag("--unseen", options->unseen,

@@ -15,7 +15,8 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string data_file, output, init_from;
+  std::vector<std::string> data_files;
+  std::string output, init_from;
   surrogate::TrainOptions train = surrogate::recommended();
   std::string output_activation;
   std::optional<int> patience;
@@ -70,7 +71,7 @@ std::string search_kinds(Options& options, const surrogate::TrainingData& data, 
 }
 
 void run(Options options) {
-  const surrogate::TrainingData data = surrogate::read_training_data(options.data_file);
+  const surrogate::TrainingData data = surrogate::read_training_data(options.data_files);
   surrogate::Model start;
   if (!options.init_from.empty()) {
     start = surrogate::read_model(options.init_from);
@@ -79,8 +80,9 @@ void run(Options options) {
   options.train.shuffle = !options.no_shuffle;
   options.train.averaged = !options.single_cuts;
   options.train.output = *surrogate::output_activation(options.output_activation);
-  options.train.threads = options.common.threads;
-  require_outputs(options.common, {options.data_file, options.init_from}, {options.output});
+  std::vector<std::filesystem::path> inputs(options.data_files.begin(), options.data_files.end());
+  inputs.emplace_back(options.init_from);
+  require_outputs(options.common, inputs, {options.output});
   if (options.init_from.empty()) surrogate::require_varied_inputs(data.rows, data.file);
   for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
   for (const std::string& doubt : surrogate::learning_warnings(data)) warn(options.common, doubt);
@@ -89,8 +91,8 @@ void run(Options options) {
       options.patience.value_or(options.train.validation > 0.0 ? surrogate::recommended_patience : 0);
   surrogate::check_options(options.train);
   if (options.common.check) {
-    say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", options.data_file, data.rows.size(),
-        cases, surrogate::output_count, surrogate::parameter_count(options.train.layers));
+    say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", data.file, data.rows.size(), cases,
+        surrogate::output_count, surrogate::parameter_count(options.train.layers));
     write_json(options.common, {{"rows", data.rows.size()}, {"cases", cases}});
     return;
   }
@@ -133,9 +135,11 @@ void run(Options options) {
 void add_train(CLI::App& app) {
   auto options = std::make_shared<Options>();
   surrogate::TrainOptions& train = options->train;
-  options->common.threads = cores();  // trainings run side by side
   CLI::App* command = app.add_subcommand("train", "fit the networks to features.csv");
-  command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
+  command
+      ->add_option("data", options->data_files,
+                   "features.csv or features_mean.csv; several tables count as one, with case numbers of their own")
+      ->required();
   command->add_option("-o,--output", options->output, "model file to write")->default_val("model.json");
   command->add_option("--epochs", train.epochs, "passes through the data, at most")
       ->check(CLI::Range(1, 10000000))
@@ -187,7 +191,9 @@ void add_train(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--no-shuffle", options->no_shuffle, "keep the order of the file; the last cases are the test set");
   command->add_option("--rock", train.rock, "which rock, noted in the model file");
-  add_computing(*command, options->common);
+  add_common(*command, options->common);
+  add_jobs(*command, train.threads, "trainings", Spelling::jobs_or_threads);
+  command->add_flag("--check", options->common.check, "read the input, print what follows from it, and stop");
   command->callback([options] { run(*options); });
 }
 

@@ -11,6 +11,12 @@ function(bitrock_target_rules target)
                          $<$<BOOL:${BITROCK_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
+# Where no time is spent but the compiler's (flags, pages, tests): -O1 takes a third less of it than -O3, which otherwise is
+# the one of a Release build. The last option on the command line counts. Results do not depend on it: see -ffp-contract.
+function(bitrock_quick_to_build target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 function(bitrock_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINKS;PRIVATE_LINKS")
   add_library(bitrock_${name} STATIC ${arg_SOURCES})
