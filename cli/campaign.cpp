@@ -9,6 +9,7 @@
 #include "base/value_lists.hpp"
 #include "studies/campaign/accepted.hpp"
 #include "studies/campaign/collect.hpp"
+#include "studies/campaign/folder.hpp"
 #include "studies/campaign/plan.hpp"
 #include "studies/campaign/runner.hpp"
 
@@ -165,16 +166,7 @@ void add_run(CLI::App& campaign) {
 }  // namespace
 
 void find_study(CampaignOptions& options) {
-  if (!options.study_file.empty()) return;
-  if (options.folder.empty())
-    throw base::InputError("a study is needed (a file, or with --dir the folder of a campaign that has begun)");
-  const std::filesystem::path kept = std::filesystem::path(options.folder) / "study.toml";
-  if (!std::filesystem::exists(kept)) {
-    throw base::InputError(
-        fmt::format("{} has no study.toml yet, so a study must be named (bitrock campaign run STUDY.toml --dir {})",
-                    options.folder, options.folder));
-  }
-  options.study_file = kept.string();
+  if (options.study_file.empty()) options.study_file = studies::study_in(options.folder).string();
 }
 
 studies::Study study_of(const CampaignOptions& options) {

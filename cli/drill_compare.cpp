@@ -9,6 +9,7 @@
 #include "cli/bit_tallies.hpp"
 #include "cli/drill_parts.hpp"
 #include "studies/drill/comparison.hpp"
+#include "views/json/drill_json.hpp"
 
 namespace bitrock::cli {
 
@@ -71,23 +72,6 @@ void tell_clamps_of_all(const Options& options, const Comparison& comparison, co
       comparison.model ? asked_at_the_mean(comparison.drill.bit, *comparison.model, runs[0].front().summary) : "");
 }
 
-nlohmann::json result_json(const ComparedRuns& runs) {
-  nlohmann::json sources;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const ComparedRun& run : runs[k]) {
-      list.push_back({{"seed", run.seed},
-                      {"summary", as_json(run.summary)},
-                      {"steady", run.condition.steady},
-                      {"stick_slip", run.condition.stick_slip},
-                      {"bit_bounce", run.condition.bit_bounce},
-                      {"mismatch", run.mismatch}});
-    }
-    sources[source_names[k]] = list;
-  }
-  return {{"sources", sources}};
-}
-
 /// Runs of other seeds that an earlier call has left in the folder are computations, and stay; the tables are without.
 void warn_of_other_runs(const Options& options, const Comparison& comparison) {
   const std::vector<std::string> others = studies::other_runs(comparison);
@@ -122,7 +106,7 @@ void compare(const Options& options) {
   warn_of_mismatch(options, runs);
   tell_clamps_of_all(options, comparison, runs);
   warn_of_other_runs(options, comparison);
-  write_json(options.common, result_json(runs));
+  write_json(options.common, views::as_json(runs));
 }
 
 }  // namespace

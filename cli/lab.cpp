@@ -13,6 +13,7 @@
 #include "cli/lab_results.hpp"
 #include "dem2d/files/specimen_file.hpp"
 #include "dem2d/lab/loading_rate.hpp"
+#include "views/json/lab_json.hpp"
 #include "views/lab/lab_picture.hpp"
 
 namespace bitrock::cli {
@@ -37,32 +38,11 @@ dem2d::LabTest test_named(const std::string& name) {
   throw base::InputError(fmt::format("test '{}' (must be ucs, tension or brazilian)", name));
 }
 
-/// The given discs, with the joints of the rock file; the radii of the rock are then theirs.
 void take_given_specimen(const Options& options, studies::LabSeries& series) {
   if (options.seeds_given || options.width_mm > 0.0 || options.height_mm > 0.0)
     throw base::InputError(
         "--specimen: its seed and size are in the file (leave out --seeds, --width-mm, --height-mm)");
-  series.given = dem2d::read_specimen(options.specimen_file);
-  dem2d::Specimen& specimen = *series.given;
-  series.settings.width = specimen.width;
-  series.settings.height = specimen.height;
-  series.seeds.push_back(specimen.seed);
-  series.rock.radius_min = specimen.rock.radius_min;
-  series.rock.radius_max = specimen.rock.radius_max;
-  if (specimen.packed_elsewhere()) {
-    const auto [smallest, largest] = std::minmax_element(specimen.radius.begin(), specimen.radius.end());
-    series.rock.radius_min = *smallest;
-    series.rock.radius_max = *largest;
-  }
-  specimen.rock = series.rock;
-  const dem2d::LabBox box = dem2d::specimen_box(options.test, series.settings);
-  if (specimen.height != box.height) {
-    throw base::InputError(
-        fmt::format("{} test: the specimen is {:.6g} x {:.6g} mm (wanted is {:.6g} x {:.6g} mm: make it with `bitrock "
-                    "specimen --width-mm {:.6g} --height-mm {:.6g}`)",
-                    options.test_name, specimen.width * 1e3, specimen.height * 1e3, box.width * 1e3, box.height * 1e3,
-                    box.width * 1e3, box.height * 1e3));
-  }
+  studies::take_given(series, dem2d::read_specimen(options.specimen_file));
 }
 
 /// What has no meaning in this test is refused, not overlooked.
@@ -143,7 +123,7 @@ nlohmann::json result_json(const Options& options, const studies::LabSeries& ser
                       {"local_damping", series.settings.local_damping},
                       {"platen_friction", series.settings.platen_friction},
                       {"config_toml", studies::rock_text(series)}};
-  json.update(runs_json(results));
+  json.update(views::runs_json(results));
   return json;
 }
 

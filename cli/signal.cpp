@@ -10,6 +10,7 @@
 #include "runtime/bit/asked_range.hpp"
 #include "runtime/bit/constant_speed.hpp"
 #include "surrogate/net/model_file.hpp"
+#include "views/json/bit_json.hpp"
 
 namespace bitrock::cli {
 
@@ -65,8 +66,8 @@ void run(const Options& options) {
                               {"mean_torque_N_m", s.mean_torque_N_m},
                               {"max_torque_N_m", s.max_torque_N_m},
                               {"depth_of_cut_m", s.depth_of_cut_m},
-                              {"clamped", as_json(s.clamps)},
-                              {"windows", as_json(draws)},
+                              {"clamped", views::as_json(s.clamps)},
+                              {"windows", views::as_json(draws)},
                               {"samples", signal.time_s.size()},
                               {"times_real_time", times_real_time}});
 }
