@@ -189,24 +189,30 @@ void run(const Options& options) {
 
 void add_calibrate(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("calibrate", "find the micro-parameters of a rock from its laboratory numbers");
-  command->add_option("target", options->target_file, "target file, e.g. campaigns/rocks/targets/article.toml")
+  CLI::App* command = app.add_subcommand(
+      "calibrate",
+      "Finds the synthetic rock that has the given laboratory numbers (UCS, tensile strength, E, Poisson's ratio).");
+  command
+      ->add_option("target", options->target_file,
+                   "The file with the laboratory numbers, e.g. campaigns/rocks/targets/article.toml.")
       ->required();
-  command->add_option("-o,--output", options->output, "rock file to write (.toml)")->default_val("rock.toml");
+  command->add_option("-o,--output", options->output, "The calibrated rock goes to this file (.toml).")
+      ->default_val("rock.toml");
   command
       ->add_option("--journal", options->journal_file,
-                   "tests already made, to go on from [the file of -o with .journal.csv added]")
+                   "This file keeps every finished test, so that a stopped calibration goes on where it was [the file "
+                   "of -o with .journal.csv added].")
       ->check(not_empty());
-  command->add_flag("--friction", options->friction,
-                    "also change the friction of broken elements, when cohesion alone cannot give UCS");
+  command->add_flag(
+      "--friction", options->friction,
+      "The calibration also changes the friction of broken elements when cohesion alone cannot give the UCS.");
   command
       ->add_option("--validate-seeds", options->validate_seeds,
-                   "then test the result on these fresh specimens, e.g. 101:110")
+                   "At the end the calibrated rock is tested on these fresh specimens, e.g. 101:110.")
       ->check(not_empty());
   add_common(*command, options->common);
   add_jobs(*command, options->jobs, "tests", Spelling::jobs_or_threads);
-  command->add_flag("--check", options->common.check, "read target and journal, say what it will cost, and stop");
+  add_check(*command, options->common);
   command->callback([options] { run(*options); });
 }
 

@@ -27,6 +27,9 @@ void add_common(CLI::App& command, CommonOptions& options);
 /// Also `--threads` and `--check`, for subcommands that compute.
 void add_computing(CLI::App& command, CommonOptions& options);
 
+/// `--check`, which `add_computing` adds too.
+void add_check(CLI::App& command, CommonOptions& options);
+
 /// `--jobs`: computations side by side; all cores unless the user says otherwise. `lab`, `calibrate` and `train` called
 /// it
 /// `--threads` before, which still counts there.

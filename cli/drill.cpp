@@ -100,7 +100,7 @@ void print(const Options& options, const runtime::DrillCase& drill, const runtim
   line("weight on bit", "kN", s.weight_on_bit, 1e3);
   line("rock on bit in all", "kN", s.total_force, 1e3);
   line("torque on bit", "N m", s.torque, 1.0);
-  line("rate of penetration", "m/h", s.rop, 1.0 / 3600.0);
+  line("The bit drills at this rate (ROP).", "m/h", s.rop, 1.0 / 3600.0);
   say(options.common,
       "static weight on bit {:.4g} kN; stick-slip severity {:.3g}; bit at rest {:.3g} %, backwards {:.3g} %, off "
       "bottom {:.3g} % "
@@ -160,24 +160,31 @@ void run(const Options& options) {
 }  // namespace
 
 void add_drill(CLI::App& app) {
-  CLI::App* drill = app.add_subcommand("drill", "a drill string on rock: vibrations in time, natural frequencies");
+  CLI::App* drill = app.add_subcommand(
+      "drill", "Computes a drill string on rock: its vibrations in time and its natural frequencies.");
   drill->require_subcommand(1);
 
   auto options = std::make_shared<Options>();
-  CLI::App* command = drill->add_subcommand("run", "simulate the case");
-  command->add_option("case", options->case_file, "drilling case, e.g. campaigns/drill/normal.toml")->required();
-  command->add_option("--model", options->model_file, "model.json, instead of the one the case names")
+  CLI::App* command = drill->add_subcommand("run", "Computes the vibrations of the string and the bit over time.");
+  command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
+  command
+      ->add_option("--model", options->model_file,
+                   "The bit asks the networks of this model file (model.json), not those that the case names.")
       ->check(not_empty());
-  command->add_option("--seed", options->seed, "of the excitation, instead of the one the case names")
+  command
+      ->add_option("--seed", options->seed,
+                   "The seed draws the peaks of the bit force, or the noise: another seed gives another force of the "
+                   "same kind. The case names one, too.")
       ->check(CLI::Range(0, 2147483647));
-  command->add_option("-o,--output", options->output, "file to write (.h5)")->default_val("drill.h5");
+  command->add_option("-o,--output", options->output, "The series and the summary go to this file (.h5).")
+      ->default_val("drill.h5");
   add_common(*command, options->common);
-  command->add_flag("--check", options->common.check, "read the input, print what follows from it, and stop");
+  add_check(*command, options->common);
   command->callback([options] { run(*options); });
 
   auto shown = std::make_shared<Options>();
-  CLI::App* modes = drill->add_subcommand("modes", "natural frequencies of the string");
-  modes->add_option("case", shown->case_file, "drilling case")->required();
+  CLI::App* modes = drill->add_subcommand("modes", "Prints the natural frequencies of the string.");
+  modes->add_option("case", shown->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
   add_common(*modes, shown->common);
   modes->callback([shown] { show_modes(*shown); });
   add_drill_compare(*drill);

@@ -113,20 +113,25 @@ void compare(const Options& options) {
 
 void add_drill_compare(CLI::App& drill) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = drill.add_subcommand(
-      "compare", "the case under networks, sine and white noise of equal mean and RMS, over several seeds");
-  command->add_option("case", options->case_file, "drilling case, e.g. campaigns/drill/normal.toml")->required();
-  command->add_option("--model", options->model_file, "model.json, instead of the one the case names")
+  CLI::App* command = drill.add_subcommand("compare",
+                                           "Runs the case with the force of the networks, with a sine and with white "
+                                           "noise of equal mean and RMS, for several seeds.");
+  command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
+  command
+      ->add_option("--model", options->model_file,
+                   "The bit asks the networks of this model file (model.json), not those that the case names.")
       ->check(not_empty());
-  command->add_option("--seeds", options->seeds, "seeds of the excitation, e.g. 1,2,5:10")->default_val("1:10");
+  command->add_option("--seeds", options->seeds, "Each seed draws another force of the same kind, e.g. 1,2,5:10.")
+      ->default_val("1:10");
   add_jobs(*command, options->jobs, "runs");
   command
-      ->add_option("-o,--output", options->folder,
-                   "folder to write: each run (.h5), summary.csv with a row a run, summary.md with a row a quantity")
+      ->add_option(
+          "-o,--output", options->folder,
+          "This folder gets each run (.h5), summary.csv with a row a run, and summary.md with a row a quantity.")
       ->default_val("compare")
       ->check(not_empty());
   add_common(*command, options->common);
-  command->add_flag("--check", options->common.check, "read the input, print what follows from it, and stop");
+  add_check(*command, options->common);
   command->callback([options] { compare(*options); });
 }
 

@@ -32,11 +32,12 @@ void run(const Options& options) {
 }  // namespace
 
 void add_export_config(CLI::App& export_command) {
-  CLI::App* command = export_command.add_subcommand(
-      "config", "the input of a cut, a specimen or a drill run, from which it can be made again to the same bits");
+  CLI::App* command = export_command.add_subcommand("config",
+                                                    "Writes the input of a cut, a specimen or a drill run, from which "
+                                                    "the same version of bitrock makes it again to the last bit.");
   auto options = std::make_shared<Options>();
-  command->add_option("result", options->result_file, "run.h5, specimen.h5 or drill.h5")->required();
-  command->add_option("-o,--output", options->output, "file to write (.toml)")
+  command->add_option("result", options->result_file, "The result: a run.h5, specimen.h5 or drill.h5.")->required();
+  command->add_option("-o,--output", options->output, "The input goes to this file (.toml).")
       ->default_val("config.toml")
       ->check(not_empty());
   add_common(*command, options->common);

@@ -204,40 +204,55 @@ void add_lab(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("lab",
-                         "strength tests: uniaxial compression, direct tension, Brazilian\n"
-                         "Prints a table; more is kept with -o (curves, pictures) and --json (all numbers).");
-  command->add_option("test", options->test_name, "ucs, tension or brazilian")->required();
-  command->add_option("rock", options->rock_file, "rock file, e.g. campaigns/rocks/article.toml")->required();
-  CLI::Option* seeds = command->add_option("--seeds,--seed", options->seeds, "one specimen a seed, e.g. 1,2,5:10")
-                           ->capture_default_str();
-  command->add_option("--width-mm", options->width_mm, "instead of specimen.width_mm of the rock file")
+                         "Tests the strength of a synthetic rock: uniaxial compression, direct tension, Brazilian.\n"
+                         "It prints a table; -o keeps curves and pictures, and --json all numbers.");
+  command->add_option("test", options->test_name, "The test: ucs, tension or brazilian.")->required();
+  command->add_option("rock", options->rock_file, "The rock file, e.g. campaigns/rocks/article.toml.")->required();
+  CLI::Option* seeds =
+      command
+          ->add_option("--seeds,--seed", options->seeds, "Each seed packs another specimen of the rock, e.g. 1,2,5:10.")
+          ->capture_default_str();
+  command
+      ->add_option("--width-mm", options->width_mm,
+                   "The specimen is so wide, whatever specimen.width_mm of the rock file says.")
       ->check(within("--width-mm", dem2d::specimen_length_mm));
   command
-      ->add_option("--height-mm", options->height_mm, "instead of specimen.height_mm of the rock file (not brazilian)")
+      ->add_option(
+          "--height-mm", options->height_mm,
+          "The specimen is so high, whatever specimen.height_mm of the rock file says (not in the Brazilian test).")
       ->check(within("--height-mm", dem2d::specimen_length_mm));
-  command->add_option("--strain-rate-per-s", options->settings.strain_rate, "instead of the one chosen for the rock")
+  command
+      ->add_option("--strain-rate-per-s", options->settings.strain_rate,
+                   "The test loads the core at this rate. Without the flag the program chooses a slow enough one.")
       ->check(within("--strain-rate-per-s", base::between(1e-6, 1e4)));
-  command->add_option("--local-damping", options->settings.local_damping, "share of the unbalanced force")
+  command
+      ->add_option("--local-damping", options->settings.local_damping,
+                   "Local damping takes this share of the unbalanced force on each disc.")
       ->check(within("--local-damping", base::between(0.0, 0.95)))
       ->capture_default_str();
   CLI::Option* platen_friction =
       command
-          ->add_option("--platen-friction", options->settings.platen_friction, "between platens and core (not tension)")
+          ->add_option("--platen-friction", options->settings.platen_friction,
+                       "This is the friction coefficient between the platens and the core (not in tension).")
           ->check(within("--platen-friction", base::between(0.0, 10.0)))
           ->capture_default_str();
   command
       ->add_option("--specimen", options->specimen_file,
-                   "test the discs of this file, with the joints of the rock file")
+                   "The test takes the discs of this specimen file, and the stiffness and strength of the joints from "
+                   "the rock file.")
       ->check(not_empty());
-  command->add_flag("--rate-check", options->rate_check, "also test at half the rate, and tell the change");
+  command->add_flag("--rate-check", options->rate_check,
+                    "Each core is also tested at half the loading rate, and the program says how much the strength "
+                    "changes and whether the rate is slow enough.");
   command
-      ->add_option("-o,--output", options->folder,
-                   "folder for TEST_seed_N.csv (curve) and .png (broken core) of each seed, TEST_curves.png (all), and "
-                   "TEST_rock.toml (the rock that was tested)")
+      ->add_option(
+          "-o,--output", options->folder,
+          "This folder gets TEST_seed_N.csv (curve) and .png (broken core) of each seed, TEST_curves.png (all), and "
+          "TEST_rock.toml (the rock that was tested).")
       ->check(not_empty());
   add_common(*command, options->common);
   add_jobs(*command, options->jobs, "specimens", Spelling::jobs_or_threads);
-  command->add_flag("--check", options->common.check, "read the input, say what the tests will cost, and stop");
+  add_check(*command, options->common);
   command->callback([options, seeds, platen_friction] {
     options->test = test_named(options->test_name);
     options->seeds_given = seeds->count() > 0;

@@ -106,14 +106,21 @@ void run(const Options& options) {
 
 void add_parity(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("parity", "compare a model with DEM data, beside the scatter of the data");
-  command->add_option("model", options->model_file, "model.json")->required();
-  command->add_option("data", options->data_files, "features.csv or features_mean.csv; several tables count as one")
+  CLI::App* command =
+      app.add_subcommand("parity", "Compares the networks with DEM data, beside the scatter of the data.");
+  command
+      ->add_option("model", options->model_file,
+                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
       ->required();
-  command->add_option("--report", options->report_file, "HTML file to write")->check(not_empty());
+  command
+      ->add_option("data", options->data_files, "The data: a features.csv or features_mean.csv. Several count as one.")
+      ->required();
+  command->add_option("--report", options->report_file, "The comparison goes to this page (.html).")
+      ->check(not_empty());
   add_figure_options(*command, options->figures);
-  command->add_flag("--unseen", options->unseen,
-                    "the data are of another study: whatever their case numbers, the model has seen none of them");
+  command->add_flag(
+      "--unseen", options->unseen,
+      "The data come from another study: the networks have seen none of them, whatever their case numbers are.");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -104,14 +104,16 @@ void run(const Options& options) {
 
 void add_report(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("report", "one HTML page of a campaign folder, or of drill runs side by side");
+  CLI::App* command =
+      app.add_subcommand("report", "Writes one HTML page about a campaign folder, or about drill runs side by side.");
   command
       ->add_option(
           "input", options->inputs,
-          "campaign folder, which may also hold model.json, earlier_model.json (networks that have not seen its "
-          "cuts), bit_force.csv, bit_force.json and drill/*.h5; or one or more files of `bitrock drill run`")
+          "The folder of a campaign, which may also hold model.json, earlier_model.json (networks that have not seen "
+          "its cuts), bit_force.csv, bit_force.json and drill/*.h5; or one or more files of `bitrock drill run`.")
       ->required();
-  command->add_option("-o,--output", options->output, "HTML file to write")->default_val("report.html");
+  command->add_option("-o,--output", options->output, "The page goes to this file (.html).")
+      ->default_val("report.html");
   add_figure_options(*command, options->figures);
   add_common(*command, options->common);
   command->callback([options] { run(*options); });

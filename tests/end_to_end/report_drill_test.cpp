@@ -96,7 +96,8 @@ TEST(ReportDrill, NoShareOfQuestionsIsAboveAll) {
   const std::string page = base::read_whole(page_file);
   double sum = 0.0;
   for (const char* what : {"speed", "depth", "rake"}) {
-    const std::string cell = cell_of(page, fmt::format("\u2003{} outside their range [% of questions]", what));
+    const std::string cell =
+        cell_of(page, fmt::format("\u2003{} outside what the networks have learnt [% of questions]", what));
     const double share = std::stod(cell);
     EXPECT_GE(share, 0.0);
     EXPECT_LE(share, 100.0) << what;

@@ -144,12 +144,12 @@ report::Table summary_table(const std::vector<ShownRun>& runs) {
       return clamps.asked == 0 ? "-" : share(count / static_cast<double>(clamps.asked));
     };
   };
-  rows.push_back(
-      {"\u2003speed outside their range [% of questions]", outside(&Clamps::speed_below, &Clamps::speed_above)});
-  rows.push_back(
-      {"\u2003depth outside their range [% of questions]", outside(&Clamps::depth_below, &Clamps::depth_above)});
-  rows.push_back(
-      {"\u2003rake outside their range [% of questions]", outside(&Clamps::rake_below, &Clamps::rake_above)});
+  rows.push_back({"\u2003speed outside what the networks have learnt [% of questions]",
+                  outside(&Clamps::speed_below, &Clamps::speed_above)});
+  rows.push_back({"\u2003depth outside what the networks have learnt [% of questions]",
+                  outside(&Clamps::depth_below, &Clamps::depth_above)});
+  rows.push_back({"\u2003rake outside what the networks have learnt [% of questions]",
+                  outside(&Clamps::rake_below, &Clamps::rake_above)});
   rows.push_back({"energy lost by the solver [%]", percent(&Summary::energy_residual)});
   return table_of(
       runs,
