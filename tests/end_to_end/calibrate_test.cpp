@@ -39,7 +39,7 @@ TEST_F(Calibrate, ReachesItsTargetAndWritesARock) {
       run("calibrate " + file + " -o " + path("rock.toml") + " --json " + path("c.json") + " --validate-seeds 11:12");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("reached after"), std::string::npos);
-  EXPECT_NE(outcome.text.find("on fresh specimens, seeds 11 to 12"), std::string::npos);
+  EXPECT_NE(outcome.text.find("on fresh specimens, seeds 11,12"), std::string::npos);
   const auto json = program::json(path("c.json"));
   EXPECT_EQ(json["status"], "reached");
   EXPECT_NEAR(json["reached"]["tensile_strength_Pa"].get<double>(), 3e6, 0.05 * 3e6);  // two seeds: their noise

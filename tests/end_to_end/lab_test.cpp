@@ -150,9 +150,9 @@ TEST_F(Lab, WrongInput) {
   expect("ucs " + rock + " --seeds", 2, "--seeds");
   for (const char* test : {"''", "0", "5", "-1", "bend"}) expect(std::string(test) + " " + rock, 2, "test");
   for (const char* seeds : {"''", "1,,2", "1,2,", ",1", "0x10", "1.5", "one"})
-    expect("ucs " + rock + " --seeds " + seeds, 2, "must be whole numbers from 0 to 2147483647 with commas");
+    expect("ucs " + rock + " --seeds " + seeds, 2, "write whole numbers from 0 to 2147483647 with commas");
   expect("ucs " + rock + " --seeds 1,2,1", 2, "a seed is named twice");
-  expect("ucs " + rock + " --seeds 1,-2", 2, "must be whole numbers");
+  expect("ucs " + rock + " --seeds 1,-2", 2, "write whole numbers");
   expect("ucs " + rock + " --seeds 3000000000", 2, "--seeds");
   expect("ucs " + rock + " --width-mm 5", 2, "too small for discs of radius 1.5 mm");
   expect("ucs " + rock + " --width-mm 1e9 --check", 2, "must be at least 0.01 and at most 10000");

@@ -100,13 +100,11 @@ std::vector<Target> table_targets() {
            },
        .seeds = {shipped("campaigns/paper240/model.json")}},
       {.name = "ranges",
-       .read =
-           [](std::string_view bytes) {
-             const std::string text(bytes);
-             base::value_range("--flag", text, 0.0, 1e6);
-             if (text.find('.') == std::string::npos) base::seeds_text(base::seeds_in("--seeds", text));
-           },
-       .seeds = {"0.5:38:12", "7.5", "1,2,5:10"}},
+       .read = [](std::string_view bytes) { base::value_range("--flag", std::string(bytes), 0.0, 1e6); },
+       .seeds = {"0.5:38:12", "7.5"}},
+      {.name = "seeds",
+       .read = [](std::string_view bytes) { base::seeds_text(base::seeds_in("--seeds", std::string(bytes))); },
+       .seeds = {"7", "1,2,5:10"}},
   };
 }
 
