@@ -45,9 +45,10 @@ void add_networks(report::Page& page, const CampaignFiles& files) {
                     "other rocks of the same kind. What they miss beside the scatter of the cuts themselves is "
                     "what they would miss in use.",
                     files.earlier_model.filename().string(), earlier.provenance.data_file));
-    add_parity(page, earlier,
-               surrogate::parity(earlier, surrogate::read_training_data(files.data),
-                                 surrogate::CaseNumbers::of_another_study));
+    add_parity(
+        page, earlier,
+        surrogate::parity(earlier, surrogate::read_training_data(files.data), surrogate::CaseNumbers::of_another_study),
+        "Cuts not seen");
   }
   if (!base::is_there(files.model)) return;
   const surrogate::Model model = surrogate::read_model(files.model);

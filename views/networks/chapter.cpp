@@ -105,14 +105,15 @@ report::Table deviation_table(const surrogate::Parity& parity) {
 }
 
 void add_notes(report::Page& page, const surrogate::Model& model, const surrogate::Parity& parity) {
-  const std::size_t cases = parity.outputs.front().points.size();
+  const surrogate::Provenance& learnt = model.provenance;
+  const std::size_t cases = learnt.train_cases.size() + learnt.validation_cases.size() + learnt.test_cases.size();
   if (cases < enough_cases) {
     page.note(fmt::format(
         "Only {} cases: far too few to learn from ({} parameters a network). The networks can learn the {} cases they "
         "were trained on by heart; what they say elsewhere, including the {} test cases, is a guess. Expect the parity "
         "to be poor: this page shows the path, not a result.",
-        cases, surrogate::parameter_count(model.outputs[0].network.layers), model.provenance.train_cases.size(),
-        model.provenance.test_cases.size()));
+        cases, surrogate::parameter_count(model.outputs[0].network.layers), learnt.train_cases.size(),
+        learnt.test_cases.size()));
   }
   if (parity.law_degrees == 0) {
     page.note(
@@ -129,7 +130,8 @@ void add_notes(report::Page& page, const surrogate::Model& model, const surrogat
 
 }  // namespace
 
-void add_parity(report::Page& page, const surrogate::Model& model, const surrogate::Parity& parity) {
+void add_parity(report::Page& page, const surrogate::Model& model, const surrogate::Parity& parity,
+                const std::string& part_of) {
   add_notes(page, model, parity);
   page.table(verdict_table(parity));
   page.paragraph(
@@ -140,11 +142,11 @@ void add_parity(report::Page& page, const surrogate::Model& model, const surroga
   for (const report::Figure& figure : parity_figures(parity)) page.plots_in_row(figure.plots, figure.caption);
   const std::vector<report::Figure> residuals = residual_figures(parity);
   if (!residuals.empty()) {
-    page.section("Residuals",
+    page.section(part_of.empty() ? "Residuals" : part_of + ": residuals",
                  "Network minus DEM, in units of the standard error that the law of scatter gives the DEM mean there.");
   }
   for (const report::Figure& figure : residuals) page.plots_in_row(figure.plots, figure.caption);
-  page.section("Parity in numbers");
+  page.section(part_of.empty() ? "Parity in numbers" : part_of + ": in numbers");
   page.table(error_table(parity));
   page.table(deviation_table(parity));
 }
