@@ -13,7 +13,7 @@ from pathlib import Path
 # Colours that remain distinct for colour-blind readers [OkabeIto2008].
 BLUE, ORANGE, RED, GREY, INK = "#0072b2", "#e69f00", "#d55e00", "#8a8f98", "#22262b"
 DISC, DISC_EDGE, PANEL = "#e3e7ed", "#b4bcc8", "#f7f8fa"
-WIDTH, HEIGHT, SIDE, GAP, TOP = 1180, 266, 172, 29, 16
+WIDTH, HEIGHT, SIDE, GAP, TOP = 1174, 290, 172, 29, 8
 
 parts = []
 
@@ -121,7 +121,7 @@ def string(x, y):
     line(speed, BLUE, 1.8)
 
 
-STEPS = ((core, "1 Rock", "strength tests give", "a synthetic rock"), (cut, "2 Cuts", "one cutter at many speeds,", "depths, rakes"),
+STEPS = ((core, "1 Rock", "strength tests give", "a synthetic rock"), (cut, "2 Cuts", "one cutter, many speeds,", "depths and rakes"),
          (peaks, "3 Peaks", "each force history", "becomes five numbers"),
          (networks, "4 Networks", "learn the numbers", "over the conditions"),
          (bit, "5 Bit", "the force and torque", "on all its cutters"),
