@@ -55,6 +55,23 @@ void print_all_keys() {
   print_keys("Drilling case", runtime::drill_keys());
 }
 
+/// "whole number, 0 to 10" for "INT:INT in [0 - 10]", as the library of the flags has it.
+std::string kind_of(const CLI::Option& option) {
+  std::string kind = option.get_type_name();
+  if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.erase(0, colon + 1);
+  for (const auto& [theirs, ours] : {std::pair{"INT in [", "whole number, "},
+                                     {"FLOAT in [", "number, "},
+                                     {"NUMBER ", "number, "},
+                                     {" - ", " to "},
+                                     {"]", ""},
+                                     {"TEXT", "text"},
+                                     {"INT", "whole number"}}) {
+    if (const std::size_t at = kind.find(theirs); at != std::string::npos)
+      kind.replace(at, std::string_view(theirs).size(), ours);
+  }
+  return kind;
+}
+
 std::string default_of(const CLI::Option& option) {
   const bool side_by_side = option.get_name() == "--jobs" || option.get_name() == "--threads";
   if (option.get_required()) return "required";
@@ -67,9 +84,10 @@ void print_flags(const CLI::App& command, const std::string& above) {
   fmt::print("\n## {}\n\n{}\n\n| flag | takes | default | meaning |\n|---|---|---|---|\n", name,
              command.get_description());
   for (const CLI::Option* option : command.get_options()) {
+    if (option == command.get_help_ptr()) continue;
     const bool takes = option->get_type_size_max() > 0;
     fmt::print("| `{}` | {} | {} | {} |\n", option->get_name(!option->nonpositional(), true),
-               takes ? cell(option->get_type_name()) : "", takes ? cell(default_of(*option)) : "",
+               takes ? cell(kind_of(*option)) : "", takes ? cell(default_of(*option)) : "",
                cell(option->get_description()));
   }
   for (const CLI::App* action : command.get_subcommands({})) print_flags(*action, name);
@@ -82,7 +100,9 @@ int print_all_flags() {
   }
   fmt::print(
       "# Flags of the program\n\n"
-      "Made by `docs/reference/renew.py` from what the program declares; do not change it by hand.\n");
+      "Made by `docs/reference/renew.py` from what the program declares; do not change it by hand. Every subcommand "
+      "also has "
+      "`-h,--help`.\n");
   CLI::App app;
   cli::declare_program(app);
   print_flags(app, "");

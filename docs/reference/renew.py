@@ -58,7 +58,7 @@ RUNS = [
     ("drill run --check", f"drill run short.toml --model {MODEL} --check"),
     ("drill modes", "drill modes short.toml"),
     ("drill compare", f"drill compare short.toml --model {MODEL} --seeds 1,2 -o compare"),
-    ("drill map", f"drill map short.toml --model {MODEL} --hook-load-kN 25:30:2 --rotation-rpm 60:60:1 -o map.csv"),
+    ("drill map", f"drill map short.toml --model {MODEL} --hook-load-kN 25:30:2 --rotation-rpm 60:90:2 -o map.csv"),
     ("snapshot", "snapshot run.h5 -o cut.png"),
     ("export config", "export config run.h5 -o config.toml"),
     ("export vtk", "export vtk run.h5 -o vtk"),

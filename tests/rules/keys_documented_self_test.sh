@@ -6,7 +6,7 @@ house=$(mktemp -d)
 trap 'rm -rf "$house"' EXIT
 mkdir -p "$house/base" "$house/studies" "$house/dem2d" "$house/runtime" "$house/docs/reference"
 printf '# Keys\n## Cut\n| `cut.depth_mm` | of the cutter |\n| `cut.speed_m_per_s` | of the cutter |\nnot a table: rake_deg\n' \
-  >"$house/docs/reference/keys.md\"
+  >"$house/docs/reference/keys.md"
 echo 'fill({{"depth_mm", &depth, mm}, {"speed_m_per_s", &speed, 1.0}});' >"$house/dem2d/cut.cpp"
 "$rule" "$house"
 for key in rake_deg depth; do
