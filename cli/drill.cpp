@@ -100,7 +100,7 @@ void print(const Options& options, const runtime::DrillCase& drill, const runtim
   line("weight on bit", "kN", s.weight_on_bit, 1e3);
   line("rock on bit in all", "kN", s.total_force, 1e3);
   line("torque on bit", "N m", s.torque, 1.0);
-  line("The bit drills at this rate (ROP).", "m/h", s.rop, 1.0 / 3600.0);
+  line("rate of penetration", "m/h", s.rop, 1.0 / 3600.0);
   say(options.common,
       "static weight on bit {:.4g} kN; stick-slip severity {:.3g}; bit at rest {:.3g} %, backwards {:.3g} %, off "
       "bottom {:.3g} % "

@@ -11,11 +11,9 @@
 #include <sstream>
 
 #include "base/errors.hpp"
-#include "base/version.hpp"
 #include "base/watch.hpp"
 #include "cli/command.hpp"
-#include "cli/shipped.hpp"
-#include "cli/strict_numbers.hpp"
+#include "cli/program.hpp"
 
 using namespace bitrock;
 
@@ -75,30 +73,8 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   std::signal(SIGPIPE, SIG_IGN);  // and so is a pipe whose reader is gone: nothing half-written stays
   base::Watch watch;
 
-  CLI::App app{
-      "bitrock cuts synthetic rock with one PDC cutter, teaches small networks the peaks of the force, and rebuilds "
-      "from "
-      "them the force on a whole bit."};
-  app.name("bitrock");
-  app.set_version_flag("--version", std::string("bitrock ") + base::version + " (" + base::git_commit + ")");
-  app.require_subcommand(1);
-  cli::add_specimen(app);
-  cli::add_calibrate(app);
-  cli::add_cut(app);
-  cli::add_campaign(app);
-  cli::add_lab(app);
-  cli::add_peaks(app);
-  cli::add_train(app);
-  cli::add_predict(app);
-  cli::add_parity(app);
-  cli::add_signal(app);
-  cli::add_drill(app);
-  cli::add_report(app);
-  cli::add_snapshot(app);
-  cli::add_animate(app);
-  cli::add_export(app);
-  cli::let_shipped_files_be_named(app);
-  cli::read_numbers_strictly(app);
+  CLI::App app;
+  cli::declare_program(app);
 
   try {
     const int status = run(app, argc, argv);

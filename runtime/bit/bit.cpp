@@ -125,4 +125,13 @@ std::vector<base::Section> describe(Bit& bit, BitWords& words) {
   return sections;
 }
 
+std::vector<base::KeyRow> bit_keys() {
+  constexpr double widest_bit = 5.0;  // [m] the ranges of a cutter end with the bit it stands in
+  Bit bit{.diameter = widest_bit};
+  bit.signal.window_angle = default_window_angle_deg * deg;
+  bit.cutters.emplace_back();
+  BitWords words;
+  return base::key_rows(describe(bit, words));
+}
+
 }  // namespace bitrock::runtime

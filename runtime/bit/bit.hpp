@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/config.hpp"
+#include "base/config_rows.hpp"
 #include "runtime/signal/peak_window.hpp"
 
 namespace bitrock::runtime {
@@ -52,5 +53,8 @@ BitWords words_of(const Bit& bit);
 
 /// `[bit]`, then a `[[cutter]]` each, bound to `bit` and `words` (base/config.hpp).
 std::vector<base::Section> describe(Bit& bit, BitWords& words);
+
+/// What people are told of the keys of a bit file.
+std::vector<base::KeyRow> bit_keys();
 
 }  // namespace bitrock::runtime

@@ -395,4 +395,17 @@ std::string resolved_toml(const DrillCase& drill) {
   return base::to_exact_toml(sections);
 }
 
+std::vector<base::KeyRow> drill_keys() {
+  DrillCase drill;
+  Words words;
+  PipeSection pipe;
+  std::vector<base::Section> sections = describe(drill, words);
+  const auto behind_name = sections.begin() + 1;
+  std::vector<base::Section> string{describe_string(drill, words), describe(pipe), describe_axial(drill.axial),
+                                    describe_torsion(drill.torsional)};
+  string[1].name = "[pipe]";  // an array of tables
+  sections.insert(behind_name, string.begin(), string.end());
+  return base::key_rows(sections);
+}
+
 }  // namespace bitrock::runtime

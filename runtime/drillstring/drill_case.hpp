@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/config.hpp"
+#include "base/config_rows.hpp"
 #include "runtime/bit/bit.hpp"
 #include "runtime/drillstring/drill_string.hpp"
 #include "runtime/drillstring/modes.hpp"
@@ -72,6 +73,9 @@ DrillCase recorded_drill_case(std::string_view text, const std::string& name);
 
 /// The case with every value and the bit inside, as a file that is read back to the same bits. It names the networks.
 std::string resolved_toml(const DrillCase& drill);
+
+/// What people are told of the keys of a drill case.
+std::vector<base::KeyRow> drill_keys();
 
 /// Throws `InputError` when the parts do not make a drill string.
 DrillString assemble(const DrillCase& drill);

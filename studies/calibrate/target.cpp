@@ -128,4 +128,10 @@ CalibrationTarget parse_target(const std::string& text, const std::string& name)
   return checked(base::ConfigFile::from_text(text, name));
 }
 
+std::vector<base::KeyRow> target_keys() {
+  CalibrationTarget target;
+  TargetFile written;
+  return base::key_rows(describe(target, written));
+}
+
 }  // namespace bitrock::studies

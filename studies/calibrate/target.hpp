@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/config_rows.hpp"
 #include "studies/calibrate/properties.hpp"
 
 namespace bitrock::studies {
@@ -42,5 +43,7 @@ std::vector<std::string> warnings(const CalibrationTarget& target);
 /// Reads and checks the target and its start rock; throws `base::InputError` with file, line and key.
 CalibrationTarget read_target(const std::filesystem::path& path);
 CalibrationTarget parse_target(const std::string& text, const std::string& name);
+/// What people are told of the keys of a target file.
+std::vector<base::KeyRow> target_keys();
 
 }  // namespace bitrock::studies

@@ -68,6 +68,10 @@ base::Section describe(Table& table) {
            {"back_rake_deg", &table.back_rake, deg, back_rake_deg, "of each case"}}};
 }
 
+base::Section describe_table_file(Study& study) {
+  return {"", {{"table", &study.table_file, 1.0, base::any(), "cases as CSV, relative to this file"}}};
+}
+
 /// The sections that every study has.
 std::vector<base::Section> describe_common(Study& study) {
   std::vector<base::Section> sections = dem2d::describe(study.common);
@@ -162,7 +166,7 @@ void read_cases(base::ConfigFile& file, Study& study) {
   if (has_table && file.has("grid")) file.refuse("", "table", "there is a [grid] too; give one of the two");
   if (!has_table) return read_grid(file, study.grid);
   if (file.has_table("table")) return read_inner_table(file, study.table);
-  file.fill({"", {{"table", &study.table_file, 1.0, base::any(), "cases as CSV, relative to this file"}}});
+  file.fill(describe_table_file(study));
   study.table = read_table(file.resolve(study.table_file));
 }
 
@@ -240,6 +244,16 @@ Study read_study(const std::filesystem::path& path) {
     dem2d::check_cut_case(cut, fmt::format("{}: case {}", path.string(), number));
   });
   return study;
+}
+
+std::vector<base::KeyRow> study_keys() {
+  Study study;
+  ByDepth by_depth;
+  std::vector<base::Section> sections = describe_common(study);
+  const auto behind_top_level = sections.begin() + 1;
+  const std::vector<base::Section> cases{describe_table_file(study), describe(study.grid), describe(by_depth)};
+  sections.insert(behind_top_level, cases.begin(), cases.end());
+  return base::key_rows(sections);
 }
 
 namespace {

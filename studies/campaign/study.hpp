@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/config_rows.hpp"
 #include "dem2d/cut/cut_case.hpp"
 
 namespace bitrock::studies {
@@ -68,6 +69,8 @@ inline constexpr int most_jobs = 1000000;
 /// Throws `base::InputError` for wrong values, repeated values, cases or seeds, sizes given twice, for any case that
 /// does not fit its bed, and for more than `most_jobs`.
 Study read_study(const std::filesystem::path& path);
+/// What people are told of the keys of a study.
+std::vector<base::KeyRow> study_keys();
 
 /// The study as TOML text with table and rock inside: two studies with the same text ask for the same runs.
 std::string resolved_toml(const Study& study);
