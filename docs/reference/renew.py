@@ -33,6 +33,8 @@ INPUTS = {
     "study.toml": 'rock = "rock.toml"\nseeds = [1]\n\n[grid]\ncutter_speeds_m_per_s = [2]\ndepths_of_cut_mm = [2, 3]\n'
                   "back_rakes_deg = [15]\n\n[cut]\ncut_length_mm = 4\n\n[bed]\nlength_mm = 20\nheight_mm = 10\n",
 }
+NAMED_BY_DATA = ("outputs",)  # objects whose keys are the names of the networks' outputs
+
 MODEL, BIT, DATA = SHIPPED / "paper240/model.json", SHIPPED / "bits/pdc15.toml", SHIPPED / "paper240/features.csv"
 
 # Subcommand and its arguments; {} is the JSON file. The words in front are what the pages call it.
@@ -93,7 +95,7 @@ def leaves(value, path=""):
     """(path, kind) of every value; entries of a list share theirs, and so do objects that are named by data."""
     if isinstance(value, dict):
         for key, inner in value.items():
-            yield from leaves(inner, f"{path}.{key}" if path else key)
+            yield from leaves(inner, f"{path}.{'NAME' if path in NAMED_BY_DATA else key}" if path else key)
     elif isinstance(value, list):
         if not value:
             yield f"{path}[]", ""
@@ -123,7 +125,8 @@ def pages(build):
         for file, text in {**INPUTS, "short.toml": short_case()}.items():
             (folder / file).write_text(text, encoding="utf-8")
         results = "# JSON keys\n\n" + BY_HAND + (
-            "`--json FILE` writes them. *null*: the run had no value there. What they mean: [formats.md](formats.md).\n")
+            "`--json FILE` writes them. *null*: the run had no value there; *NAME*: an\n"
+            "output of the networks, such as `x_amax_N_per_m`; `[]`: a list. What they mean: [formats.md](formats.md).\n")
         for words, command in RUNS:
             ran(program, [*command.split(), "--quiet", "--json", "result.json"], folder)
             results += json_section(words, json.loads((folder / "result.json").read_text(encoding="utf-8")))
