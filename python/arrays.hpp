@@ -29,7 +29,7 @@ pybind11::array_t<Number> given(std::vector<Number> numbers) {
   auto kept = std::make_unique<std::vector<Number>>(std::move(numbers));
   const std::vector<Number>& values = *kept;
   const pybind11::capsule owner(kept.release(), [](void* vector) { delete static_cast<std::vector<Number>*>(vector); });
-  return {static_cast<pybind11::ssize_t>(values.size()), values.data(), owner};
+  return pybind11::array_t<Number>(static_cast<pybind11::ssize_t>(values.size()), values.data(), owner);
 }
 
 /// Real numbers of any shape as float64. Throws `InputError` that begins with `name` for anything else.

@@ -128,7 +128,7 @@ void bind_bit(py::module_& module) {
   py::class_<Bit>(module, "Bit", "A bit as a list of cutters; arrays of shape (cutters,).")
       .def_static("load", &load, py::arg("source"),
                   "Read a bit file (.toml), or take a dict with its keys: bit and a list cutter.")
-      .def_readonly("name", &Bit::name)
+      .def_readonly("name", &Bit::name, "of the bit")
       .def_readonly("diameter_m", &Bit::diameter, "[m]")
       .def_property_readonly("radius_m", cutters(&Cutter::radius), "from the axis to the middle of each cutter [m]")
       .def_property_readonly("width_m", cutters(&Cutter::width), "effective width of each cutter [m]")

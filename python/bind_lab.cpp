@@ -36,8 +36,11 @@ std::vector<std::uint64_t> seeds_of(const py::object& seeds) {
       list.push_back(static_cast<std::uint64_t>(seed));
     return list;
   }
-  const py::object all = py::isinstance<py::int_>(seeds) ? py::object(py::make_tuple(seeds)) : seeds;
+  const bool single = PyIndex_Check(seeds.ptr()) != 0 && !py::isinstance<py::array>(seeds);
+  const py::object all = single ? py::object(py::make_tuple(seeds)) : seeds;
   for (const py::handle& seed : all) {
+    if (PyIndex_Check(seed.ptr()) == 0)
+      throw py::type_error(fmt::format("seeds: {} (must be whole numbers)", std::string(py::repr(seed))));
     require_within("seeds", seed.cast<double>(), base::between(0, 2147483647));
     list.push_back(seed.cast<std::uint64_t>());
   }

@@ -30,7 +30,7 @@ def test_a_file_that_is_not_there(program):
         assert str(error.value) == program(*command, "nothing.h5", status=2)
 
 
-def test_a_computation_that_fails(program, small_case, tmp_path, small_run):
+def test_a_file_that_cannot_be_written():
     with pytest.raises(bitrock.SimulationError) as error:
         bitrock.Model.load(MODEL).save("/dev/full")
     assert "/dev/full" in str(error.value)
@@ -50,8 +50,8 @@ def test_a_training_that_diverges(program):
 @pytest.mark.parametrize(
     "keywords, sentence",
     [
-        ({"depth_of_cut_mm": 0.001}, "depth_of_cut_mm = 0.001 (from 0.01 to 100"),
-        ({"depth_of_cut_mm": float("nan")}, "depth_of_cut_mm = nan"),
+        ({"depth_of_cut_mm": 0.001}, "depth_of_cut_mm = 0.001 (must be from 0.01 to 100"),
+        ({"depth_of_cut_mm": float("nan")}, "depth_of_cut_mm = nan (must be"),
         ({"depth_of_cut_mm": 7}, "cut: cut.depth_of_cut_mm = 7 (at most a third of bed.height_mm"),
         ({"depth": 7}, "unknown keyword 'depth' (there are: cutter_speed_m_per_s, depth_of_cut_mm"),
         ({"seed": -1}, "seed = -1"),
@@ -60,7 +60,7 @@ def test_a_training_that_diverges(program):
 def test_keywords_of_a_cut(keywords, sentence):
     with pytest.raises(bitrock.InputError) as error:
         bitrock.cut(rock=ROCK, **(SMALL_CUT | keywords))
-    assert str(error.value).startswith(sentence.split("(")[0].strip()) and sentence.split("(")[-1] in str(error.value)
+    assert str(error.value).startswith(sentence)
 
 
 def test_keywords_that_are_missing_or_of_another_type():

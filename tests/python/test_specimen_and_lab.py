@@ -66,3 +66,8 @@ def test_what_makes_no_test(arguments, sentence):
     with pytest.raises(bitrock.InputError) as error:
         bitrock.lab(test, ROCK, **keywords)
     assert sentence in str(error.value)
+
+
+def test_seeds_are_whole_numbers():
+    with pytest.raises(TypeError, match=r"seeds: 1.5 \(must be whole numbers\)"):
+        bitrock.lab("ucs", ROCK, seeds=[1, 1.5])
