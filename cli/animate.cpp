@@ -59,15 +59,18 @@ void run(const Options& options) {
 
 void add_animate(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("animate", "show a cut in motion, from a run made with `cut --frames N`");
-  command->add_option("run", options->run_file, "run.h5")->required();
-  command->add_option("-o,--output", options->output, ".gif, .mp4 or .webm file, or a folder for PNG frames")
+  CLI::App* command =
+      app.add_subcommand("animate", "Shows a cut in motion, from a run made with `bitrock cut --frames N`.");
+  command->add_option("run", options->run_file, "The run file of a cut (run.h5).")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "The animation goes to this .gif, .mp4 or .webm file, or as PNG pictures to this folder.")
       ->default_val("cut.gif")
       ->check(not_empty());
-  command->add_option("--width-px", options->width_px, "width of the picture")
+  command->add_option("--width-px", options->width_px, "The picture is so many pixels wide.")
       ->check(CLI::Range(400, 4000))
       ->capture_default_str();
-  command->add_option("--frames-per-second", options->frames_per_second, "speed of the animation")
+  command->add_option("--frames-per-second", options->frames_per_second, "So many frames are shown each second.")
       ->check(CLI::Range(1, 50))
       ->capture_default_str();
   add_common(*command, options->common);

@@ -7,9 +7,6 @@
 
 namespace bitrock::cli {
 
-nlohmann::json as_json(const runtime::ClampTally& clamps);
-nlohmann::json as_json(const runtime::DrawTally& draws);
-
 /// What the networks were asked outside their range: nothing, a line where it was seldom (less
 /// than a tenth of the questions), or else a warning.
 /// `asked` says by how much (`runtime::asked_outside`), and at which motion; it may be empty.

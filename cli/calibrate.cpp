@@ -13,6 +13,7 @@
 #include "studies/calibrate/calibrated_rock.hpp"
 #include "studies/calibrate/cost.hpp"
 #include "studies/calibrate/laboratory.hpp"
+#include "views/json/calibration_json.hpp"
 
 namespace bitrock::cli {
 
@@ -22,6 +23,7 @@ using studies::Property;
 
 struct Options {
   CommonOptions common;
+  int jobs = 1;
   std::string target_file, output, journal_file, validate_seeds;
   bool friction = false;
 };
@@ -36,28 +38,6 @@ std::vector<int> fresh_seeds(const Options& options, const studies::CalibrationT
                                        options.validate_seeds, begin, end - 1));
   }
   return seeds;
-}
-
-nlohmann::json numbers_json(const studies::CalibrationTarget& target, const studies::Evaluation& evaluation) {
-  nlohmann::json mean, deviation, error;
-  for (const Property property : studies::all_properties) {
-    const char* key = studies::words_of(property).si_key;
-    const base::Summary& measured = evaluation.measured[studies::index_of(property)];
-    const double wanted = target.wanted[studies::index_of(property)];
-    mean[key] = measured.count > 0 ? nlohmann::json(measured.mean) : nullptr;
-    deviation[key] = measured.count > 0 ? nlohmann::json(measured.standard_deviation) : nullptr;
-    error[key] = measured.count > 0 && wanted > 0.0 ? nlohmann::json(studies::error_of(property, measured.mean, wanted))
-                                                    : nullptr;
-  }
-  return {{"mean", mean}, {"sd", deviation}, {"error", error}};
-}
-
-nlohmann::json micro_json(const studies::Micro& micro) {
-  return {{"effective_modulus_Pa", micro[0]},
-          {"stiffness_ratio", micro[1]},
-          {"tensile_strength_Pa", micro[2]},
-          {"cohesion_Pa", micro[3]},
-          {"friction_coefficient", micro[4]}};
 }
 
 std::string micro_text(const studies::Micro& micro) {
@@ -90,14 +70,14 @@ void print_plan(const Options& options, const studies::CalibrationTarget& target
   const studies::CalibrationSettings& settings = target.settings;
   const dem2d::LabSettings lab = studies::lab_settings_of(target);
   const studies::CalibrationCost cost = studies::cost_of(target);
-  const double minutes = cost.core_seconds / options.common.threads / 60.0;
+  const double minutes = cost.core_seconds / options.jobs / 60.0;
   say(options.common,
       "{}: cores of {:g} x {:g} mm, about {:.0f} discs; seeds {} to {}, {} of them while scouting; about {:.2g} s of "
       "one core a specimen; usually {} + {} evaluations (at most {}), about {:.2g} minutes on {} cores\n",
       target.name, base::in_units(lab.width, base::mm), base::in_units(lab.height, base::mm), cost.discs,
       settings.first_seed, settings.first_seed + settings.seeds - 1, settings.scouting_seeds,
       cost.core_seconds_per_specimen, studies::usual_coarse_evaluations, studies::usual_fine_evaluations,
-      settings.most_evaluations, minutes, options.common.threads);
+      settings.most_evaluations, minutes, options.jobs);
   write_json(options.common, {{"discs", std::llround(cost.discs)},
                               {"seeds", settings.seeds},
                               {"scouting_seeds", settings.scouting_seeds},
@@ -120,51 +100,6 @@ void print_fresh(const Options& options, const studies::CalibrationTarget& targe
   for (const std::string& line : studies::lines_about(target, fresh.result)) say(options.common, "    {}\n", line);
 }
 
-bool fresh_within(const studies::CalibrationTarget& target, const studies::FreshSpecimens& fresh) {
-  bool within = true;
-  for (const Property property : studies::all_properties) {
-    if (!studies::is_wanted(target, property)) continue;
-    const double mean = fresh.result.measured[studies::index_of(property)].mean;
-    const double error = studies::error_of(property, mean, target.wanted[studies::index_of(property)]);
-    within = within && std::abs(error) <= studies::fresh_tolerance(property);
-  }
-  return within;
-}
-
-nlohmann::json result_json(const studies::CalibrationTarget& target, const studies::Calibration& calibration,
-                           const std::optional<studies::FreshSpecimens>& fresh) {
-  nlohmann::json wanted, evaluations = nlohmann::json::array();
-  for (const Property property : studies::all_properties) {
-    const double value = target.wanted[studies::index_of(property)];
-    wanted[studies::words_of(property).si_key] = value > 0.0 ? nlohmann::json(value) : nullptr;
-  }
-  const nlohmann::json numbers = numbers_json(target, calibration.best);
-  nlohmann::json result{{"target", wanted},
-                        {"reached", numbers["mean"]},
-                        {"sd", numbers["sd"]},
-                        {"error", numbers["error"]},
-                        {"evaluations", calibration.evaluations.size()},
-                        {"micro", micro_json(calibration.best.micro)},
-                        {"status", studies::name_of(calibration.end)},
-                        {"reason", studies::reason_of(target, calibration)},
-                        {"limits", calibration.limits},
-                        {"failures", calibration.failures}};
-  for (const studies::Evaluation& evaluation : calibration.evaluations) {
-    evaluations.push_back(
-        {{"micro", micro_json(evaluation.micro)}, {"mean", numbers_json(target, evaluation)["mean"]}});
-  }
-  result["history"] = evaluations;
-  if (fresh) {
-    const nlohmann::json values = numbers_json(target, fresh->result);
-    result["fresh"] = {{"seeds", fresh->seeds},
-                       {"reached", values["mean"]},
-                       {"sd", values["sd"]},
-                       {"error", values["error"]},
-                       {"within", fresh_within(target, *fresh)}};
-  }
-  return result;
-}
-
 /// The tests of a calibration, each evaluation with a progress line of its own.
 studies::Evaluation evaluate(const Options& options, studies::Laboratory& laboratory, const studies::Micro& micro,
                              const std::vector<int>& seeds) {
@@ -176,7 +111,7 @@ studies::Evaluation evaluate(const Options& options, studies::Laboratory& labora
 void keep(const Options& options, const studies::CalibrationTarget& target, const studies::Calibration& calibration,
           const std::optional<studies::FreshSpecimens>& fresh, const studies::LaboratoryCount& count, double wall) {
   base::write_whole(options.output, studies::calibrated_rock_toml(target, calibration, command_of(options), fresh));
-  nlohmann::json result = result_json(target, calibration, fresh);
+  nlohmann::json result = views::calibration_json(target, calibration, fresh);
   result["wall_s"] = wall;
   result["core_seconds"] = count.core_seconds;
   result["tests"] = count.tests;
@@ -241,7 +176,7 @@ void run(const Options& options) {
   studies::Journal journal(journal_file, studies::journal_inputs(target));
   if (!journal.left_out().empty()) warn(options.common, journal.left_out());
   if (options.common.check) return print_plan(options, target);
-  studies::Laboratory laboratory(target, journal, options.common.threads);
+  studies::Laboratory laboratory(target, journal, options.jobs);
   try {
     run_calibration(options, target, fresh_list, laboratory);
   } catch (const base::Interrupted&) {
@@ -254,27 +189,30 @@ void run(const Options& options) {
 
 void add_calibrate(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("calibrate", "find the micro-parameters of a rock from its laboratory numbers");
-  command->add_option("target", options->target_file, "target file, e.g. campaigns/rocks/targets/article.toml")
+  CLI::App* command = app.add_subcommand(
+      "calibrate",
+      "Finds the synthetic rock that has the given laboratory numbers (UCS, tensile strength, E, Poisson's ratio).");
+  command
+      ->add_option("target", options->target_file,
+                   "The file with the laboratory numbers, e.g. campaigns/rocks/targets/article.toml.")
       ->required();
-  command->add_option("-o,--output", options->output, "rock file to write (.toml)")->default_val("rock.toml");
+  command->add_option("-o,--output", options->output, "The calibrated rock goes to this file (.toml).")
+      ->default_val("rock.toml");
   command
       ->add_option("--journal", options->journal_file,
-                   "tests already made, to go on from [the file of -o with .journal.csv added]")
+                   "This file keeps every finished test, so that a stopped calibration goes on where it was [the file "
+                   "of -o with .journal.csv added].")
       ->check(not_empty());
-  command->add_flag("--friction", options->friction,
-                    "also change the friction of broken elements, when cohesion alone cannot give UCS");
+  command->add_flag(
+      "--friction", options->friction,
+      "The calibration also changes the friction of broken elements when cohesion alone cannot give the UCS.");
   command
       ->add_option("--validate-seeds", options->validate_seeds,
-                   "then test the result on these fresh specimens, e.g. 101:110")
+                   "At the end the calibrated rock is tested on these fresh specimens, e.g. 101:110.")
       ->check(not_empty());
   add_common(*command, options->common);
-  options->common.threads = cores();
-  command->add_option("--threads", options->common.threads, "tests side by side (the result does not depend on it)")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command->add_flag("--check", options->common.check, "read target and journal, say what it will cost, and stop");
+  add_jobs(*command, options->jobs, "tests", Spelling::jobs_or_threads);
+  add_check(*command, options->common);
   command->callback([options] { run(*options); });
 }
 

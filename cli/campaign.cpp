@@ -9,6 +9,7 @@
 #include "base/value_lists.hpp"
 #include "studies/campaign/accepted.hpp"
 #include "studies/campaign/collect.hpp"
+#include "studies/campaign/folder.hpp"
 #include "studies/campaign/plan.hpp"
 #include "studies/campaign/runner.hpp"
 
@@ -22,7 +23,7 @@ struct CollectFlags {
 };
 
 struct RunFlags : CollectFlags {
-  int workers = cores();
+  int workers = 1;
   std::string shard = "1/1";
 };
 
@@ -129,7 +130,8 @@ void collect(const CollectFlags& flags) {
 void add_accept(CLI::App& action, CollectFlags& flags) {
   action
       .add_option("--accept", flags.accept,
-                  "rows of this features.csv whose hash is that of a job are done (repeatable)")
+                  "Rows of this features.csv count as finished cuts where their hash is that of a cut of the study. "
+                  "The flag may stand several times.")
       ->allow_extra_args(false)
       ->check(not_empty());
 }
@@ -137,7 +139,7 @@ void add_accept(CLI::App& action, CollectFlags& flags) {
 void add_collect(CLI::App& campaign) {
   auto flags = std::make_shared<CollectFlags>();
   CLI::App* command = add_campaign_action(
-      campaign, "collect", "write features.csv and features_mean.csv of the finished runs", flags->campaign);
+      campaign, "collect", "Writes features.csv and features_mean.csv of the finished cuts.", flags->campaign);
   add_campaign_folder(*command, flags->campaign);
   add_accept(*command, *flags);
   command->callback([flags] {
@@ -148,16 +150,18 @@ void add_collect(CLI::App& campaign) {
 
 void add_run(CLI::App& campaign) {
   auto flags = std::make_shared<RunFlags>();
-  CLI::App* command =
-      add_campaign_action(campaign, "run", "run what is not done yet; stop and repeat at will", flags->campaign);
+  CLI::App* command = add_campaign_action(
+      campaign, "run", "Makes the cuts that are not there yet. It may be stopped and started again at any time.",
+      flags->campaign);
   add_campaign_folder(*command, flags->campaign);
-  command->add_option("--jobs", flags->workers, "cuts at a time, one core each")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_option("--shard", flags->shard, "only every n-th job, beginning with the i-th: i/n")
+  add_jobs(*command, flags->workers, "cuts");
+  command
+      ->add_option("--shard", flags->shard,
+                   "With i/n the program makes every n-th cut, beginning with the i-th: a share of the study for one "
+                   "of n machines.")
       ->capture_default_str();
   add_accept(*command, *flags);
-  command->add_flag("--check", flags->campaign.common.check, "print the plan, and stop");
+  command->add_flag("--check", flags->campaign.common.check, "The program prints what the study costs, and stops.");
   command->callback([flags] {
     find_study(flags->campaign);
     run_campaign(*flags);
@@ -167,16 +171,7 @@ void add_run(CLI::App& campaign) {
 }  // namespace
 
 void find_study(CampaignOptions& options) {
-  if (!options.study_file.empty()) return;
-  if (options.folder.empty())
-    throw base::InputError("a study is needed (a file, or with --dir the folder of a campaign that has begun)");
-  const std::filesystem::path kept = std::filesystem::path(options.folder) / "study.toml";
-  if (!std::filesystem::exists(kept)) {
-    throw base::InputError(
-        fmt::format("{} has no study.toml yet, so a study must be named (bitrock campaign run STUDY.toml --dir {})",
-                    options.folder, options.folder));
-  }
-  options.study_file = kept.string();
+  if (options.study_file.empty()) options.study_file = studies::study_in(options.folder).string();
 }
 
 studies::Study study_of(const CampaignOptions& options) {
@@ -190,14 +185,17 @@ CLI::App* add_campaign_action(CLI::App& campaign, const std::string& name, const
   CLI::App* command = campaign.add_subcommand(name, meaning);
   command
       ->add_option("study", options.study_file,
-                   "study file, e.g. campaigns/demo.toml; left out: the one that the folder of --dir holds")
+                   "The study file, e.g. campaigns/demo.toml. It may be left out when the folder of --dir already "
+                   "belongs to a study.")
       ->check(not_empty());
   add_common(*command, options.common);
   return command;
 }
 
 void add_campaign_folder(CLI::App& action, CampaignOptions& options) {
-  action.add_option("--dir", options.folder, "folder of the campaign")->required()->check(not_empty());
+  action.add_option("--dir", options.folder, "The folder that holds the cuts of the study.")
+      ->required()
+      ->check(not_empty());
 }
 
 nlohmann::json as_json(const studies::Status& status) {
@@ -225,12 +223,13 @@ void print(const CampaignOptions& options, const studies::Status& status) {
 }
 
 void add_campaign(CLI::App& app) {
-  CLI::App* campaign = app.add_subcommand("campaign", "many cuts, resumable");
+  CLI::App* campaign = app.add_subcommand("campaign", "Makes many cuts, and goes on after a stop.");
   campaign->require_subcommand(1);
   add_campaign_plan(*campaign);
   add_run(*campaign);
   auto options = std::make_shared<CampaignOptions>();
-  CLI::App* status = add_campaign_action(*campaign, "status", "what is done, running, failed, remaining", *options);
+  CLI::App* status =
+      add_campaign_action(*campaign, "status", "Says how many cuts are done, running, failed and remaining.", *options);
   add_campaign_folder(*status, *options);
   status->callback([options] {
     find_study(*options);

@@ -56,11 +56,13 @@ void print_plan(const CampaignOptions& options, const studies::Study& study, dou
 
 void add_campaign_plan(CLI::App& campaign) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      add_campaign_action(campaign, "plan", "discs, steps and core-hours of what is to be cut", options->campaign);
-  command->add_option("--dir", options->campaign.folder, "do not count what is done in this folder")
+  CLI::App* command = add_campaign_action(campaign, "plan", "Says how many discs, steps and core-hours a study costs.",
+                                          options->campaign);
+  command->add_option("--dir", options->campaign.folder, "What is already cut in this folder does not count.")
       ->check(not_empty());
-  command->add_option("--ns-per-disc-step", options->ns_per_disc_step, "speed of one core of your machine")
+  command
+      ->add_option("--ns-per-disc-step", options->ns_per_disc_step,
+                   "One core of your machine takes so many nanoseconds for one step of one disc.")
       ->check(within("--ns-per-disc-step", base::between(0.01, 1e6)))
       ->capture_default_str();
   command->callback([options] {

@@ -58,22 +58,29 @@ void submit(const Options& options) {
 
 void add_campaign_submit(CLI::App& campaign) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      add_campaign_action(campaign, "submit", "give the rest to a cluster, and collect at the end", options->campaign);
+  CLI::App* command = add_campaign_action(
+      campaign, "submit", "Gives what is not cut yet to a cluster, and collects the results at the end.",
+      options->campaign);
   add_campaign_folder(*command, options->campaign);
-  command->add_option("--engine", options->engine, "what runs the cluster")
+  command->add_option("--engine", options->engine, "This queueing system runs the cluster.")
       ->check(CLI::IsMember({"slurm"}))
       ->capture_default_str();
-  command->add_option("--tasks", options->slurm.tasks, "tasks that share the cuts (default: one a cut, at most 1000)")
+  command
+      ->add_option("--tasks", options->slurm.tasks,
+                   "So many tasks share the cuts (default: one task a cut, at most 1000).")
       ->check(CLI::Range(1, studies::most_tasks));
-  command->add_option("--time", options->slurm.time_limit, "limit of a task, HH:MM:SS or D-HH:MM:SS")
+  command
+      ->add_option("--time", options->slurm.time_limit,
+                   "The cluster ends a task after this time, HH:MM:SS or D-HH:MM:SS.")
       ->check(matching("([0-9]+-)?[0-9]+:[0-5][0-9]:[0-5][0-9]", "HH:MM:SS or D-HH:MM:SS"));
-  command->add_option("--mem", options->slurm.memory_MB, "memory of a task [MB]")
+  command->add_option("--mem", options->slurm.memory_MB, "A task may use so much memory [MB].")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
-  command->add_option("--partition", options->slurm.partition, "where to run (default: the cluster's default)")
+  command
+      ->add_option("--partition", options->slurm.partition,
+                   "The tasks run in this partition (default: the cluster's own).")
       ->check(matching("[A-Za-z0-9_.,-]+", "the name of a partition"));
-  command->add_flag("--dry-run", options->dry_run, "write the scripts, submit nothing");
+  command->add_flag("--dry-run", options->dry_run, "The program writes the scripts and submits nothing.");
   command->callback([options] {
     find_study(options->campaign);
     submit(*options);

@@ -41,17 +41,35 @@ std::string one_message(const std::string& text) {
 }  // namespace
 
 void add_common(CLI::App& command, CommonOptions& options) {
-  command.add_option("--json", options.json_file, "write the result as JSON to this file")->check(not_empty());
-  command.add_flag("--quiet", options.quiet, "print only warnings and errors");
+  command.add_option("--json", options.json_file, "The program also writes the result to this file, as JSON.")
+      ->check(not_empty());
+  command.add_flag("--quiet", options.quiet, "The program prints only warnings and errors.");
   command.parse_complete_callback([&command, &options] { base::at_work(options.quiet ? "" : full_name(command)); });
 }
 
 void add_computing(CLI::App& command, CommonOptions& options) {
   add_common(command, options);
-  command.add_option("--threads", options.threads, "threads inside one computation (the result does not depend on it)")
+  command
+      .add_option("--threads", options.threads,
+                  "So many threads share one computation. The result does not depend on it.")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command.add_flag("--check", options.check, "read the input, print what follows from it, and stop");
+  add_check(command, options);
+}
+
+void add_check(CLI::App& command, CommonOptions& options) {
+  command.add_flag(
+      "--check", options.check,
+      "The program reads the input, prints what follows from it (sizes, steps, expected time), and stops.");
+}
+
+void add_jobs(CLI::App& command, int& jobs, const std::string& what, Spelling spelling) {
+  jobs = cores();
+  command
+      .add_option(spelling == Spelling::jobs_or_threads ? "--jobs,--threads" : "--jobs", jobs,
+                  fmt::format("So many {} run side by side, one core each. The result does not depend on it.", what))
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
 }
 
 void require_outputs(const CommonOptions& options, const std::vector<std::filesystem::path>& inputs,

@@ -27,6 +27,15 @@ void add_common(CLI::App& command, CommonOptions& options);
 /// Also `--threads` and `--check`, for subcommands that compute.
 void add_computing(CLI::App& command, CommonOptions& options);
 
+/// `--check`, which `add_computing` adds too.
+void add_check(CLI::App& command, CommonOptions& options);
+
+/// `--jobs`: computations side by side; all cores unless the user says otherwise. `lab`, `calibrate` and `train` called
+/// it
+/// `--threads` before, which still counts there.
+enum class Spelling { jobs, jobs_or_threads };
+void add_jobs(CLI::App& command, int& jobs, const std::string& what, Spelling spelling = Spelling::jobs);
+
 /// Call before the work: throws `base::InputError` when an output could not be written later, or would overwrite an
 /// input or another output. The JSON file is one of the outputs.
 void require_outputs(const CommonOptions& options, const std::vector<std::filesystem::path>& inputs,

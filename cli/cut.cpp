@@ -136,15 +136,26 @@ void run(const Options& options) {
 
 void add_cut(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("cut", "cut synthetic rock with one cutter and record the force");
-  command->add_option("case", options->case_file, "cut file, e.g. campaigns/cuts/example.toml")->required();
-  command->add_option("--seed", options->seed, "of the rock")->check(CLI::Range(0, 2147483647))->capture_default_str();
-  command->add_option("-o,--output", options->output, "run file to write (.h5)")->default_val("run.h5");
-  command->add_option("--specimen", options->specimen_file, "use this rock instead of making it")->check(not_empty());
-  command->add_option("--frames", options->frames, "store all discs at this many instants, evenly spaced")
+  CLI::App* command = app.add_subcommand("cut", "Cuts synthetic rock with one PDC cutter and records the force on it.");
+  command->add_option("case", options->case_file, "The cut file, e.g. campaigns/cuts/example.toml.")->required();
+  command
+      ->add_option("--seed", options->seed,
+                   "The seed chooses the rock: another seed packs another one of the same kind.")
+      ->check(CLI::Range(0, 2147483647))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "The force, the cracks and the discs go to this run file (.h5).")
+      ->default_val("run.h5");
+  command
+      ->add_option("--specimen", options->specimen_file,
+                   "The cutter cuts this specimen, made by `bitrock specimen`, instead of a new rock.")
+      ->check(not_empty());
+  command
+      ->add_option("--frames", options->frames,
+                   "The run file keeps all discs at so many evenly spaced instants, for pictures and animations.")
       ->check(CLI::Range(0, 10000))
       ->capture_default_str();
-  command->add_flag("--no-energy", options->without_energy, "do not measure where the energy goes (a sixth faster)");
+  command->add_flag("--no-energy", options->without_energy,
+                    "The program does not measure where the energy goes. The cut is a sixth faster.");
   add_computing(*command, options->common);
   command->callback([options] { run(*options); });
 }

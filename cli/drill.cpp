@@ -9,9 +9,11 @@
 #include "cli/bit_tallies.hpp"
 #include "cli/command.hpp"
 #include "cli/drill_parts.hpp"
+#include "runtime/drillstring/closed_forms.hpp"
 #include "runtime/drillstring/drill_file.hpp"
 #include "runtime/drillstring/modes.hpp"
 #include "runtime/drillstring/steadiness.hpp"
+#include "views/json/drill_json.hpp"
 
 namespace bitrock::cli {
 
@@ -32,24 +34,13 @@ std::string listed(const std::vector<double>& frequencies) {
   return frequencies.size() > 6 ? text + ", ..." : text;
 }
 
-/// Closed forms there are for this string; null where there is none.
-nlohmann::json closed_forms(const runtime::DrillCase& drill) {
-  nlohmann::json forms{
-      {"axial_continuous_Hz", nullptr}, {"torsional_continuous_Hz", nullptr}, {"equal_lumps_Hz", nullptr}};
-  if (drill.pipes.size() != 1) return forms;
-  const runtime::PipeSection& pipe = drill.pipes.front();
-  const double axial_speed = std::sqrt(pipe.youngs_modulus * area(pipe) / mass_per_length(pipe));
-  const double torsional_speed = std::sqrt(pipe.shear_modulus / pipe.density);
-  forms["axial_continuous_Hz"] = runtime::continuous_frequency(axial_speed, pipe.length, 1);
-  forms["torsional_continuous_Hz"] = runtime::continuous_frequency(torsional_speed, pipe.length, 1);
-  const runtime::Chain equal = runtime::torsional_chain(drill.pipes, drill.torsional_lumps, runtime::Lumping::end,
-                                                        drill.torsional_damping_ratio);
-  std::vector<double> frequencies;
-  for (int k = 1; k <= drill.torsional_lumps; ++k)
-    frequencies.push_back(
-        runtime::equal_lumps_frequency(equal.stiffness[0], equal.inertia[0], drill.torsional_lumps, k));
-  forms["equal_lumps_Hz"] = frequencies;
-  return forms;
+/// Null where there are none.
+nlohmann::json forms_json(const std::optional<runtime::ClosedForms>& forms) {
+  if (!forms)
+    return {{"axial_continuous_Hz", nullptr}, {"torsional_continuous_Hz", nullptr}, {"equal_lumps_Hz", nullptr}};
+  return {{"axial_continuous_Hz", forms->axial_continuous},
+          {"torsional_continuous_Hz", forms->torsional_continuous},
+          {"equal_lumps_Hz", forms->equal_lumps}};
 }
 
 /// Whether small vibrations about steady rotation die, as far as friction at the static weight on bit decides.
@@ -68,19 +59,19 @@ void show_modes(const Options& options) {
   const runtime::DrillString string = runtime::assemble(drill);
   require_outputs(options.common, {options.case_file, drill.bit_file}, {});
   const auto [on_bottom, off_bottom, torsional] = runtime::drill_modes(string);
-  const nlohmann::json forms = closed_forms(drill), steady = steady_json(string);
+  const std::optional<runtime::ClosedForms> forms = runtime::closed_forms(drill);
+  const nlohmann::json steady = steady_json(string);
   say(options.common, "{}\n", drill.name);
   if (!on_bottom.empty()) {
     say(options.common, "axial, bit on rock:   {} Hz\naxial, bit off bottom: {} Hz\n", listed(on_bottom),
         listed(off_bottom));
   }
   say(options.common, "torsional, bit free:  {} Hz\n", listed(torsional));
-  if (!forms["torsional_continuous_Hz"].is_null()) {
+  if (forms) {
     say(options.common,
         "closed forms for the pipe alone: continuous, free at the bit: axial {:.4g}, torsional {:.4g} Hz; equal "
         "lumps: {} Hz\n",
-        forms["axial_continuous_Hz"].get<double>(), forms["torsional_continuous_Hz"].get<double>(),
-        listed(forms["equal_lumps_Hz"].get<std::vector<double>>()));
+        forms->axial_continuous, forms->torsional_continuous, listed(forms->equal_lumps));
   }
   if (!steady.is_null()) {
     say(options.common,
@@ -92,7 +83,7 @@ void show_modes(const Options& options) {
   write_json(options.common, {{"axial_Hz", on_bottom},
                               {"axial_off_bottom_Hz", off_bottom},
                               {"torsional_Hz", torsional},
-                              {"closed_forms", forms},
+                              {"closed_forms", forms_json(forms)},
                               {"steady_rotation", steady},
                               {"longest_stable_step_s", runtime::longest_stable_step(string)}});
 }
@@ -109,7 +100,7 @@ void print(const Options& options, const runtime::DrillCase& drill, const runtim
   line("weight on bit", "kN", s.weight_on_bit, 1e3);
   line("rock on bit in all", "kN", s.total_force, 1e3);
   line("torque on bit", "N m", s.torque, 1.0);
-  line("rate of penetration", "m/h", s.rop, 1.0 / 3600.0);
+  line("The bit drills at this rate (ROP).", "m/h", s.rop, 1.0 / 3600.0);
   say(options.common,
       "static weight on bit {:.4g} kN; stick-slip severity {:.3g}; bit at rest {:.3g} %, backwards {:.3g} %, off "
       "bottom {:.3g} % "
@@ -158,7 +149,7 @@ void run(const Options& options) {
   runtime::write_drill_run(result, drill, fingerprint, options.output);
   print(options, drill, result);
   if (model) tell_clamps(options.common, result.summary.clamps, asked_at_the_mean(drill.bit, *model, result.summary));
-  write_json(options.common, {{"summary", as_json(result.summary)},
+  write_json(options.common, {{"summary", views::as_json(result.summary)},
                               {"step_s", result.step},
                               {"steps", result.steps},
                               {"duration_s", drill.run.duration},
@@ -169,24 +160,31 @@ void run(const Options& options) {
 }  // namespace
 
 void add_drill(CLI::App& app) {
-  CLI::App* drill = app.add_subcommand("drill", "a drill string on rock: vibrations in time, natural frequencies");
+  CLI::App* drill = app.add_subcommand(
+      "drill", "Computes a drill string on rock: its vibrations in time and its natural frequencies.");
   drill->require_subcommand(1);
 
   auto options = std::make_shared<Options>();
-  CLI::App* command = drill->add_subcommand("run", "simulate the case");
-  command->add_option("case", options->case_file, "drilling case, e.g. campaigns/drill/normal.toml")->required();
-  command->add_option("--model", options->model_file, "model.json, instead of the one the case names")
+  CLI::App* command = drill->add_subcommand("run", "Computes the vibrations of the string and the bit over time.");
+  command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
+  command
+      ->add_option("--model", options->model_file,
+                   "The bit asks the networks of this model file (model.json), not those that the case names.")
       ->check(not_empty());
-  command->add_option("--seed", options->seed, "of the excitation, instead of the one the case names")
+  command
+      ->add_option("--seed", options->seed,
+                   "The seed draws the peaks of the bit force, or the noise: another seed gives another force of the "
+                   "same kind. The case names one, too.")
       ->check(CLI::Range(0, 2147483647));
-  command->add_option("-o,--output", options->output, "file to write (.h5)")->default_val("drill.h5");
+  command->add_option("-o,--output", options->output, "The series and the summary go to this file (.h5).")
+      ->default_val("drill.h5");
   add_common(*command, options->common);
-  command->add_flag("--check", options->common.check, "read the input, print what follows from it, and stop");
+  add_check(*command, options->common);
   command->callback([options] { run(*options); });
 
   auto shown = std::make_shared<Options>();
-  CLI::App* modes = drill->add_subcommand("modes", "natural frequencies of the string");
-  modes->add_option("case", shown->case_file, "drilling case")->required();
+  CLI::App* modes = drill->add_subcommand("modes", "Prints the natural frequencies of the string.");
+  modes->add_option("case", shown->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
   add_common(*modes, shown->common);
   modes->callback([shown] { show_modes(*shown); });
   add_drill_compare(*drill);

@@ -9,6 +9,7 @@
 #include "cli/bit_tallies.hpp"
 #include "cli/drill_parts.hpp"
 #include "studies/drill/comparison.hpp"
+#include "views/json/drill_json.hpp"
 
 namespace bitrock::cli {
 
@@ -71,23 +72,6 @@ void tell_clamps_of_all(const Options& options, const Comparison& comparison, co
       comparison.model ? asked_at_the_mean(comparison.drill.bit, *comparison.model, runs[0].front().summary) : "");
 }
 
-nlohmann::json result_json(const ComparedRuns& runs) {
-  nlohmann::json sources;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const ComparedRun& run : runs[k]) {
-      list.push_back({{"seed", run.seed},
-                      {"summary", as_json(run.summary)},
-                      {"steady", run.condition.steady},
-                      {"stick_slip", run.condition.stick_slip},
-                      {"bit_bounce", run.condition.bit_bounce},
-                      {"mismatch", run.mismatch}});
-    }
-    sources[source_names[k]] = list;
-  }
-  return {{"sources", sources}};
-}
-
 /// Runs of other seeds that an earlier call has left in the folder are computations, and stay; the tables are without.
 void warn_of_other_runs(const Options& options, const Comparison& comparison) {
   const std::vector<std::string> others = studies::other_runs(comparison);
@@ -122,30 +106,32 @@ void compare(const Options& options) {
   warn_of_mismatch(options, runs);
   tell_clamps_of_all(options, comparison, runs);
   warn_of_other_runs(options, comparison);
-  write_json(options.common, result_json(runs));
+  write_json(options.common, views::as_json(runs));
 }
 
 }  // namespace
 
 void add_drill_compare(CLI::App& drill) {
   auto options = std::make_shared<Options>();
-  options->jobs = cores();
-  CLI::App* command = drill.add_subcommand(
-      "compare", "the case under networks, sine and white noise of equal mean and RMS, over several seeds");
-  command->add_option("case", options->case_file, "drilling case, e.g. campaigns/drill/normal.toml")->required();
-  command->add_option("--model", options->model_file, "model.json, instead of the one the case names")
-      ->check(not_empty());
-  command->add_option("--seeds", options->seeds, "seeds of the excitation, e.g. 1,2,5:10")->default_val("1:10");
-  command->add_option("--jobs", options->jobs, "runs at a time, one core each")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  CLI::App* command = drill.add_subcommand("compare",
+                                           "Runs the case with the force of the networks, with a sine and with white "
+                                           "noise of equal mean and RMS, for several seeds.");
+  command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
   command
-      ->add_option("-o,--output", options->folder,
-                   "folder to write: each run (.h5), summary.csv with a row a run, summary.md with a row a quantity")
+      ->add_option("--model", options->model_file,
+                   "The bit asks the networks of this model file (model.json), not those that the case names.")
+      ->check(not_empty());
+  command->add_option("--seeds", options->seeds, "Each seed draws another force of the same kind, e.g. 1,2,5:10.")
+      ->default_val("1:10");
+  add_jobs(*command, options->jobs, "runs");
+  command
+      ->add_option(
+          "-o,--output", options->folder,
+          "This folder gets each run (.h5), summary.csv with a row a run, and summary.md with a row a quantity.")
       ->default_val("compare")
       ->check(not_empty());
   add_common(*command, options->common);
-  command->add_flag("--check", options->common.check, "read the input, print what follows from it, and stop");
+  add_check(*command, options->common);
   command->callback([options] { compare(*options); });
 }
 

@@ -125,28 +125,38 @@ void run(const Options& options) {
 
 void add_drill_map(CLI::App& drill) {
   auto options = std::make_shared<Options>();
-  options->jobs = cores();
   CLI::App* command =
-      drill.add_subcommand("map", "stick-slip and bit bounce over hook load and speed of the top drive");
-  command->add_option("case", options->case_file, "drilling case, e.g. campaigns/drill/stick_slip.toml")->required();
-  command->add_option("--model", options->model_file, "model.json, instead of the one the case names")
+      drill.add_subcommand("map", "Maps stick-slip and bit bounce over the hook load and the speed of the top drive.");
+  command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/stick_slip.toml.")
+      ->required();
+  command
+      ->add_option("--model", options->model_file,
+                   "The bit asks the networks of this model file (model.json), not those that the case names.")
       ->check(not_empty());
-  command->add_option("--hook-load-kN", options->hook_loads, "lowest:highest:count, instead of the case's own")
+  command
+      ->add_option("--hook-load-kN", options->hook_loads,
+                   "The map covers these hook loads, lowest:highest:count, not the one of the case.")
       ->default_val("5:38:12");
-  command->add_option("--rotation-rpm", options->rotations, "lowest:highest:count, instead of the case's own")
+  command
+      ->add_option("--rotation-rpm", options->rotations,
+                   "The map covers these speeds of the top drive, lowest:highest:count, not the one of the case.")
       ->default_val("20:140:12");
-  command->add_option("--seeds", options->seeds, "seeds of the excitation, e.g. 1,2,5:10; the picture shows their mean")
+  command
+      ->add_option(
+          "--seeds", options->seeds,
+          "Each seed draws another force of the same kind, e.g. 1,2,5:10. The picture shows the mean over the seeds.")
       ->default_val("1");
-  command->add_option("--jobs", options->jobs, "runs at a time, one core each")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_option("-o,--output", options->output, "table to write, a row a run (.csv)")
+  add_jobs(*command, options->jobs, "runs");
+  command->add_option("-o,--output", options->output, "The table goes to this file, with a row a run (.csv).")
       ->default_val("map.csv")
       ->check(not_empty());
-  command->add_option("--picture", options->picture, "heat map to draw with gnuplot (.png, .pdf), and its script (.gp)")
+  command
+      ->add_option(
+          "--picture", options->picture,
+          "The map is also drawn to this picture (.png, .pdf) with gnuplot, whose script stands beside it (.gp).")
       ->check(not_empty());
   add_common(*command, options->common);
-  command->add_flag("--check", options->common.check, "read the input, print what follows from it, and stop");
+  add_check(*command, options->common);
   command->callback([options] { run(*options); });
 }
 

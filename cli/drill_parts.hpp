@@ -1,5 +1,5 @@
 #pragma once
-/// What `drill run`, `drill compare` and `drill map` share: the model of a case, and a summary in words and JSON.
+/// What `drill run`, `drill compare` and `drill map` share: the model of a case, and what it is asked.
 
 #include <optional>
 #include <string>
@@ -17,9 +17,6 @@ std::optional<surrogate::Model> model_of(const CommonOptions& common, const std:
 /// What the networks are asked outside their range at the mean speed and ROP of a run; empty where that is inside.
 std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
                               const runtime::DrillSummary& summary);
-
-/// As docs/reference/formats.md lists it under "drill run".
-nlohmann::json as_json(const runtime::DrillSummary& summary);
 
 /// `drill compare` and `drill map`.
 void add_drill_compare(CLI::App& drill);

@@ -39,12 +39,15 @@ void export_vtk(const VtkOptions& options) {
 }  // namespace
 
 void add_export(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("export", "write results in the formats of other programs");
+  CLI::App* command = app.add_subcommand("export", "Writes results in the formats of other programs.");
   command->require_subcommand(1);
   auto options = std::make_shared<VtkOptions>();
-  CLI::App* vtk = command->add_subcommand("vtk", "the frames of a cut for ParaView (VTP files listed in PVD files)");
-  vtk->add_option("run", options->run_file, "run.h5")->required();
-  vtk->add_option("-o,--output", options->output, "folder to write to")->default_val("vtk")->check(not_empty());
+  CLI::App* vtk =
+      command->add_subcommand("vtk", "Writes the frames of a cut for ParaView (VTP files listed in PVD files).");
+  vtk->add_option("run", options->run_file, "The run file of a cut (run.h5).")->required();
+  vtk->add_option("-o,--output", options->output, "The files go to this folder.")
+      ->default_val("vtk")
+      ->check(not_empty());
   add_common(*vtk, options->common);
   vtk->callback([options] { export_vtk(*options); });
   add_export_config(*command);

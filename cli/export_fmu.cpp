@@ -47,12 +47,18 @@ void run(const Options& options) {
 }  // namespace
 
 void add_export_fmu(CLI::App& export_command) {
-  CLI::App* command =
-      export_command.add_subcommand("fmu", "force and torque on a bit as an FMU (FMI 2.0, co-simulation)");
+  CLI::App* command = export_command.add_subcommand("fmu",
+                                                    "Writes the force and torque on a bit as an FMU (FMI 2.0, "
+                                                    "co-simulation) for Simulink, 20-sim, OMSimulator and others.");
   auto options = std::make_shared<Options>();
-  command->add_option("model", options->model_file, "model.json")->required();
-  command->add_option("bit", options->bit_file, "bit file, e.g. campaigns/bits/pdc15.toml")->required();
-  command->add_option("-o,--output", options->output, "file to write")->default_val("bit.fmu")->check(not_empty());
+  command
+      ->add_option("model", options->model_file,
+                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
+      ->required();
+  command->add_option("bit", options->bit_file, "The bit file, e.g. campaigns/bits/pdc15.toml.")->required();
+  command->add_option("-o,--output", options->output, "The result goes to this file.")
+      ->default_val("bit.fmu")
+      ->check(not_empty());
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

@@ -49,8 +49,12 @@ std::string matlab_name(const std::string& output) {
 
 std::shared_ptr<Options> add_format(CLI::App& command, const char* default_output) {
   auto options = std::make_shared<Options>();
-  command.add_option("model", options->model_file, "model.json")->required();
-  command.add_option("-o,--output", options->output, "file to write")->default_val(default_output)->check(not_empty());
+  command
+      .add_option("model", options->model_file, "The model file with the networks, e.g. campaigns/paper240/model.json.")
+      ->required();
+  command.add_option("-o,--output", options->output, "The result goes to this file.")
+      ->default_val(default_output)
+      ->check(not_empty());
   add_common(command, options->common);
   return options;
 }
@@ -58,16 +62,17 @@ std::shared_ptr<Options> add_format(CLI::App& command, const char* default_outpu
 }  // namespace
 
 void add_export_model(CLI::App& export_command) {
-  CLI::App* c = export_command.add_subcommand("c", "a model as one file of C99 that needs nothing but libm");
+  CLI::App* c = export_command.add_subcommand("c", "Writes a model as one file of C99 that needs nothing but libm.");
   const auto c_options = add_format(*c, "model.c");
-  c->add_option("--prefix", c_options->prefix, "begin of all names in the file: NAME_predict and so on")
+  c->add_option("--prefix", c_options->prefix, "All names in the file begin with this: NAME_predict and so on.")
       ->default_val("bitrock");
   c->callback([c_options] {
     export_model(*c_options,
                  [&](const surrogate::Model& model) { return surrogate::c_source(model, c_options->prefix); });
   });
 
-  CLI::App* matlab = export_command.add_subcommand("matlab", "a model as a MATLAB function, called like its file");
+  CLI::App* matlab =
+      export_command.add_subcommand("matlab", "Writes a model as a MATLAB function with the name of its file.");
   const auto matlab_options = add_format(*matlab, "bitrock_predict.m");
   matlab->callback([matlab_options] {
     export_model(*matlab_options, [&](const surrogate::Model& model) {
@@ -75,7 +80,8 @@ void add_export_model(CLI::App& export_command) {
     });
   });
 
-  CLI::App* onnx = export_command.add_subcommand("onnx", "a model as ONNX graph with its scaling inside, 32-bit");
+  CLI::App* onnx = export_command.add_subcommand(
+      "onnx", "Writes a model as an ONNX graph with its scaling inside, in 32-bit numbers.");
   const auto onnx_options = add_format(*onnx, "model.onnx");
   onnx->callback([onnx_options] { export_model(*onnx_options, surrogate::onnx_file); });
 }

@@ -7,9 +7,9 @@ namespace bitrock::cli {
 void add_figure_options(CLI::App& command, FigureOptions& options) {
   command
       .add_option("--figures", options.folder,
-                  "folder for the plots as pictures, with the gnuplot script and the table of each")
+                  "The plots also go to this folder as pictures, each with its gnuplot script and its table.")
       ->check(not_empty());
-  command.add_option("--format", options.format, "of the pictures")
+  command.add_option("--format", options.format, "The pictures have this format.")
       ->check(CLI::IsMember({"png", "pdf"}))
       ->default_val("png");
 }

@@ -13,6 +13,7 @@
 #include "cli/lab_results.hpp"
 #include "dem2d/files/specimen_file.hpp"
 #include "dem2d/lab/loading_rate.hpp"
+#include "views/json/lab_json.hpp"
 #include "views/lab/lab_picture.hpp"
 
 namespace bitrock::cli {
@@ -21,6 +22,7 @@ namespace {
 
 struct Options {
   CommonOptions common;
+  int jobs = 1;
   std::string test_name, rock_file, specimen_file, folder, seeds = "1";
   dem2d::LabTest test = dem2d::LabTest::ucs;  ///< that of `test_name`
   bool seeds_given = false, platen_friction_given = false;
@@ -36,32 +38,11 @@ dem2d::LabTest test_named(const std::string& name) {
   throw base::InputError(fmt::format("test '{}' (must be ucs, tension or brazilian)", name));
 }
 
-/// The given discs, with the joints of the rock file; the radii of the rock are then theirs.
 void take_given_specimen(const Options& options, studies::LabSeries& series) {
   if (options.seeds_given || options.width_mm > 0.0 || options.height_mm > 0.0)
     throw base::InputError(
         "--specimen: its seed and size are in the file (leave out --seeds, --width-mm, --height-mm)");
-  series.given = dem2d::read_specimen(options.specimen_file);
-  dem2d::Specimen& specimen = *series.given;
-  series.settings.width = specimen.width;
-  series.settings.height = specimen.height;
-  series.seeds.push_back(specimen.seed);
-  series.rock.radius_min = specimen.rock.radius_min;
-  series.rock.radius_max = specimen.rock.radius_max;
-  if (specimen.packed_elsewhere()) {
-    const auto [smallest, largest] = std::minmax_element(specimen.radius.begin(), specimen.radius.end());
-    series.rock.radius_min = *smallest;
-    series.rock.radius_max = *largest;
-  }
-  specimen.rock = series.rock;
-  const dem2d::LabBox box = dem2d::specimen_box(options.test, series.settings);
-  if (specimen.height != box.height) {
-    throw base::InputError(
-        fmt::format("{} test: the specimen is {:.6g} x {:.6g} mm (wanted is {:.6g} x {:.6g} mm: make it with `bitrock "
-                    "specimen --width-mm {:.6g} --height-mm {:.6g}`)",
-                    options.test_name, specimen.width * 1e3, specimen.height * 1e3, box.width * 1e3, box.height * 1e3,
-                    box.width * 1e3, box.height * 1e3));
-  }
+  studies::take_given(series, dem2d::read_specimen(options.specimen_file));
 }
 
 /// What has no meaning in this test is refused, not overlooked.
@@ -142,7 +123,7 @@ nlohmann::json result_json(const Options& options, const studies::LabSeries& ser
                       {"local_damping", series.settings.local_damping},
                       {"platen_friction", series.settings.platen_friction},
                       {"config_toml", studies::rock_text(series)}};
-  json.update(runs_json(results));
+  json.update(views::runs_json(results));
   return json;
 }
 
@@ -165,7 +146,7 @@ void print_plan(const Options& options, const studies::LabSeries& series) {
 
 studies::LabResults tested(const Options& options, const studies::LabSeries& series) {
   Progress line(options.common, std::string(dem2d::name_of(series.test)) + " tests", "specimens");
-  return studies::run_series(series, options.common.threads, line.callback(),
+  return studies::run_series(series, options.jobs, line.callback(),
                              [&](const dem2d::LabRun& run) { write_files(options, series, run); });
 }
 
@@ -221,45 +202,57 @@ void run(const Options& options) {
 
 void add_lab(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  options->common.threads = cores();
   CLI::App* command =
       app.add_subcommand("lab",
-                         "strength tests: uniaxial compression, direct tension, Brazilian\n"
-                         "Prints a table; more is kept with -o (curves, pictures) and --json (all numbers).");
-  command->add_option("test", options->test_name, "ucs, tension or brazilian")->required();
-  command->add_option("rock", options->rock_file, "rock file, e.g. campaigns/rocks/article.toml")->required();
-  CLI::Option* seeds = command->add_option("--seeds,--seed", options->seeds, "one specimen a seed, e.g. 1,2,5:10")
-                           ->capture_default_str();
-  command->add_option("--width-mm", options->width_mm, "instead of specimen.width_mm of the rock file")
+                         "Tests the strength of a synthetic rock: uniaxial compression, direct tension, Brazilian.\n"
+                         "It prints a table; -o keeps curves and pictures, and --json all numbers.");
+  command->add_option("test", options->test_name, "The test: ucs, tension or brazilian.")->required();
+  command->add_option("rock", options->rock_file, "The rock file, e.g. campaigns/rocks/article.toml.")->required();
+  CLI::Option* seeds =
+      command
+          ->add_option("--seeds,--seed", options->seeds, "Each seed packs another specimen of the rock, e.g. 1,2,5:10.")
+          ->capture_default_str();
+  command
+      ->add_option("--width-mm", options->width_mm,
+                   "The specimen is so wide, whatever specimen.width_mm of the rock file says.")
       ->check(within("--width-mm", dem2d::specimen_length_mm));
   command
-      ->add_option("--height-mm", options->height_mm, "instead of specimen.height_mm of the rock file (not brazilian)")
+      ->add_option(
+          "--height-mm", options->height_mm,
+          "The specimen is so high, whatever specimen.height_mm of the rock file says (not in the Brazilian test).")
       ->check(within("--height-mm", dem2d::specimen_length_mm));
-  command->add_option("--strain-rate-per-s", options->settings.strain_rate, "instead of the one chosen for the rock")
+  command
+      ->add_option("--strain-rate-per-s", options->settings.strain_rate,
+                   "The test loads the core at this rate. Without the flag the program chooses a slow enough one.")
       ->check(within("--strain-rate-per-s", base::between(1e-6, 1e4)));
-  command->add_option("--local-damping", options->settings.local_damping, "share of the unbalanced force")
+  command
+      ->add_option("--local-damping", options->settings.local_damping,
+                   "Local damping takes this share of the unbalanced force on each disc.")
       ->check(within("--local-damping", base::between(0.0, 0.95)))
       ->capture_default_str();
   CLI::Option* platen_friction =
       command
-          ->add_option("--platen-friction", options->settings.platen_friction, "between platens and core (not tension)")
+          ->add_option("--platen-friction", options->settings.platen_friction,
+                       "This is the friction coefficient between the platens and the core (not in tension).")
           ->check(within("--platen-friction", base::between(0.0, 10.0)))
           ->capture_default_str();
   command
       ->add_option("--specimen", options->specimen_file,
-                   "test the discs of this file, with the joints of the rock file")
+                   "The test takes the discs of this specimen file, and the stiffness and strength of the joints from "
+                   "the rock file.")
       ->check(not_empty());
-  command->add_flag("--rate-check", options->rate_check, "also test at half the rate, and tell the change");
+  command->add_flag("--rate-check", options->rate_check,
+                    "Each core is also tested at half the loading rate, and the program says how much the strength "
+                    "changes and whether the rate is slow enough.");
   command
-      ->add_option("-o,--output", options->folder,
-                   "folder for TEST_seed_N.csv (curve) and .png (broken core) of each seed, TEST_curves.png (all), and "
-                   "TEST_rock.toml (the rock that was tested)")
+      ->add_option(
+          "-o,--output", options->folder,
+          "This folder gets TEST_seed_N.csv (curve) and .png (broken core) of each seed, TEST_curves.png (all), and "
+          "TEST_rock.toml (the rock that was tested).")
       ->check(not_empty());
   add_common(*command, options->common);
-  command->add_option("--threads", options->common.threads, "specimens side by side (the result does not depend on it)")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command->add_flag("--check", options->common.check, "read the input, say what the tests will cost, and stop");
+  add_jobs(*command, options->jobs, "specimens", Spelling::jobs_or_threads);
+  add_check(*command, options->common);
   command->callback([options, seeds, platen_friction] {
     options->test = test_named(options->test_name);
     options->seeds_given = seeds->count() > 0;

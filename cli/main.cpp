@@ -76,7 +76,9 @@ int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   base::Watch watch;
 
   CLI::App app{
-      "bitrock: synthetic rock, cut by one PDC cutter, learnt by small networks, rebuilt as the force on a whole bit"};
+      "bitrock cuts synthetic rock with one PDC cutter, teaches small networks the peaks of the force, and rebuilds "
+      "from "
+      "them the force on a whole bit."};
   app.name("bitrock");
   app.set_version_flag("--version", std::string("bitrock ") + base::version + " (" + base::git_commit + ")");
   app.require_subcommand(1);

@@ -134,13 +134,16 @@ void run(const Options& options) {
 
 void add_peaks(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("peaks", "peak statistics of a run file or of any CSV force history");
-  command->add_option("file", options->file, "run.h5, or a CSV with a header")->required();
+  CLI::App* command = app.add_subcommand(
+      "peaks", "Finds the peaks of a force history, from a run file or any CSV, and prints their five statistics.");
+  command->add_option("file", options->file, "The force history: a run.h5, or a CSV with a header.")->required();
   command->add_option("--column", options->column,
-                      "which force (default: x_N_per_m, or the only CSV column beside time_s)");
-  command->add_option("--time", options->time, "which CSV column holds the times, in seconds (default: time_s)")
+                      "This column holds the force (default: x_N_per_m, or the only CSV column beside time_s).");
+  command->add_option("--time", options->time, "This CSV column holds the times, in seconds (default: time_s).")
       ->check(not_empty());
-  command->add_option("--parts", options->parts, "equal parts of the window in which peaks are also counted")
+  command
+      ->add_option("--parts", options->parts,
+                   "The cut is also divided into so many equal parts, and the peaks of each are counted.")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   add_common(*command, options->common);

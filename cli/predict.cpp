@@ -77,20 +77,27 @@ void run(const Options& options) {
 
 void add_predict(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("predict", "five peak statistics for x and y from a trained model");
-  command->add_option("model", options->model_file, "model.json")->required();
-  command->add_option("--speed-m-per-s", options->speed, "cutter speed")
+  CLI::App* command = app.add_subcommand(
+      "predict", "Asks the networks for the five peak statistics along the cut (x) and out of the rock (y).");
+  command
+      ->add_option("model", options->model_file,
+                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
+      ->required();
+  command->add_option("--speed-m-per-s", options->speed, "The cutter moves at this speed.")
       ->required()
       ->check(within("--speed-m-per-s", dem2d::cutter_speed_m_per_s));
-  command->add_option("--depth-mm", options->depth_mm, "depth of cut")
+  command->add_option("--depth-mm", options->depth_mm, "The cutter cuts this deep.")
       ->required()
       ->check(within("--depth-mm", dem2d::depth_of_cut_mm));
-  command->add_option("--rake-deg", options->rake_deg, "back rake")
+  command->add_option("--rake-deg", options->rake_deg, "The face of the cutter leans back by this angle (back rake).")
       ->required()
       ->check(within("--rake-deg", base::between(-89.0, 89.0)));
-  command->add_option("--cut-length-mm", options->cut_length_mm, "also say how many peaks a cut of this length has")
+  command
+      ->add_option("--cut-length-mm", options->cut_length_mm,
+                   "The program also says how many peaks a cut of this length has.")
       ->check(within("--cut-length-mm", base::between(0.01, 1e6)));
-  command->add_flag("--strict", options->strict, "outside the training range is an error, not a warning");
+  command->add_flag("--strict", options->strict,
+                    "Conditions that the networks have not learnt are an error, not a warning.");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

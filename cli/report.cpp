@@ -37,7 +37,8 @@ void report_campaign(const Options& options) {
     throw base::InputError("--figures goes with files of drill runs (a campaign has `bitrock parity --figures`)");
   const views::CampaignFiles files = views::campaign_files(folder);
   require_plot_library();
-  require_outputs(options.common, {files.model, files.data, files.bit_force, files.bit_force_json}, {options.output});
+  require_outputs(options.common, {files.model, files.data, files.earlier_model, files.bit_force, files.bit_force_json},
+                  {options.output});
   const report::Page page = views::campaign_page(folder);
   base::write_whole(options.output, page.html());
   say(options.common, "-> {}\n", options.output);
@@ -103,13 +104,16 @@ void run(const Options& options) {
 
 void add_report(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("report", "one HTML page of a campaign folder, or of drill runs side by side");
+  CLI::App* command =
+      app.add_subcommand("report", "Writes one HTML page about a campaign folder, or about drill runs side by side.");
   command
-      ->add_option("input", options->inputs,
-                   "campaign folder, which may also hold model.json, bit_force.csv and bit_force.json; or one or more "
-                   "files of `bitrock drill run`")
+      ->add_option(
+          "input", options->inputs,
+          "The folder of a campaign, which may also hold model.json, earlier_model.json (networks that have not seen "
+          "its cuts), bit_force.csv, bit_force.json and drill/*.h5; or one or more files of `bitrock drill run`.")
       ->required();
-  command->add_option("-o,--output", options->output, "HTML file to write")->default_val("report.html");
+  command->add_option("-o,--output", options->output, "The page goes to this file (.html).")
+      ->default_val("report.html");
   add_figure_options(*command, options->figures);
   add_common(*command, options->common);
   command->callback([options] { run(*options); });

@@ -49,7 +49,7 @@ void let_shipped_files_be_named(CLI::App& app) {
         if (!folder) throw base::InputError("no shipped files beside this program (its share/bitrock is missing)");
         throw CLI::CallForVersion(folder->string(), 0);  // printed like the version, and no subcommand is asked for
       },
-      "print the folder of the shipped files (campaigns/...), and stop");
+      "The program prints the folder of the shipped files (campaigns/...), and stops.");
 }
 
 }  // namespace bitrock::cli

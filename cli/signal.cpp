@@ -10,6 +10,7 @@
 #include "runtime/bit/asked_range.hpp"
 #include "runtime/bit/constant_speed.hpp"
 #include "surrogate/net/model_file.hpp"
+#include "views/json/bit_json.hpp"
 
 namespace bitrock::cli {
 
@@ -65,8 +66,8 @@ void run(const Options& options) {
                               {"mean_torque_N_m", s.mean_torque_N_m},
                               {"max_torque_N_m", s.max_torque_N_m},
                               {"depth_of_cut_m", s.depth_of_cut_m},
-                              {"clamped", as_json(s.clamps)},
-                              {"windows", as_json(draws)},
+                              {"clamped", views::as_json(s.clamps)},
+                              {"windows", views::as_json(draws)},
                               {"samples", signal.time_s.size()},
                               {"times_real_time", times_real_time}});
 }
@@ -75,22 +76,27 @@ void run(const Options& options) {
 
 void add_signal(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("signal", "force and torque on a whole bit at steady rpm and ROP");
-  command->add_option("bit", options->bit_file, "bit file, e.g. campaigns/bits/pdc15.toml")->required();
-  command->add_option("--model", options->model_file, "model.json")->required();
-  command->add_option("--rpm", options->rpm, "rotation of the bit")
+  CLI::App* command =
+      app.add_subcommand("signal", "Computes force and torque on a whole bit that turns and drills at steady speed.");
+  command->add_option("bit", options->bit_file, "The bit file, e.g. campaigns/bits/pdc15.toml.")->required();
+  command
+      ->add_option("--model", options->model_file,
+                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
+      ->required();
+  command->add_option("--rpm", options->rpm, "The bit turns at this speed.")
       ->required()
       ->check(within("--rpm", base::between(runtime::slowest_rpm, runtime::fastest_rpm)));
-  command->add_option("--rop-m-per-h", options->rop_m_per_h, "rate of penetration")
+  command->add_option("--rop-m-per-h", options->rop_m_per_h, "The bit drills at this rate (ROP).")
       ->required()
       ->check(within("--rop-m-per-h", base::between(0.0, runtime::fastest_m_per_h)));
-  command->add_option("--duration-s", options->duration, "how long")
+  command->add_option("--duration-s", options->duration, "The record is so long.")
       ->check(within("--duration-s", base::between(1e-6, 1e7)))
       ->capture_default_str();
-  command->add_option("--rate-hz", options->rate, "samples a second")
+  command->add_option("--rate-hz", options->rate, "The record has so many samples a second.")
       ->check(within("--rate-hz", base::between(1e-3, 1e7)))
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "CSV file to write")->default_val("signal.csv");
+  command->add_option("-o,--output", options->output, "The record goes to this table (.csv).")
+      ->default_val("signal.csv");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

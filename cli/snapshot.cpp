@@ -32,14 +32,17 @@ void run(const Options& options) {
 
 void add_snapshot(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("snapshot", "draw the rock at the end of a cut, and the force on the cutter");
-  command->add_option("run", options->run_file, "run.h5")->required();
-  command->add_option("-o,--output", options->output, "PNG file to write")->default_val("snapshot.png");
+  CLI::App* command =
+      app.add_subcommand("snapshot", "Draws the rock at the end of a cut, and the force on the cutter.");
+  command->add_option("run", options->run_file, "The run file of a cut (run.h5).")->required();
+  command->add_option("-o,--output", options->output, "The picture goes to this file (.png).")
+      ->default_val("snapshot.png");
   command
-      ->add_option("--frame", options->frame,
-                   "another instant: 0 to N - 1 of a run made with `cut --frames N` (default: the end)")
+      ->add_option(
+          "--frame", options->frame,
+          "The picture shows this instant, 0 to N - 1, of a run made with `bitrock cut --frames N` (default: the end).")
       ->check(CLI::Range(0, 9999));
-  command->add_option("--width-px", options->width_px, "width of the picture")
+  command->add_option("--width-px", options->width_px, "The picture is so many pixels wide.")
       ->check(CLI::Range(400, 8000))
       ->capture_default_str();
   add_common(*command, options->common);

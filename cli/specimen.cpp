@@ -130,20 +130,29 @@ void run(const Options& options) {
 
 void add_specimen(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("specimen", "make one synthetic rock: packed discs, joined stress-free");
-  command->add_option("rock", options->rock_file, "rock file, e.g. campaigns/rocks/article.toml")->required();
-  command->add_option("--seed", options->seed, "another seed, another rock")
+  CLI::App* command =
+      app.add_subcommand("specimen", "Makes one synthetic rock: discs, packed and then joined without stress.");
+  command->add_option("rock", options->rock_file, "The rock file, e.g. campaigns/rocks/article.toml.")->required();
+  command
+      ->add_option("--seed", options->seed,
+                   "The seed chooses the rock: another seed packs another one of the same kind.")
       ->check(CLI::Range(0, 2147483647))
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "specimen file to write (.h5)")->default_val("specimen.h5");
-  command->add_option("--width-mm", options->width_mm, "instead of specimen.width_mm of the rock file")
+  command->add_option("-o,--output", options->output, "The rock goes to this specimen file (.h5).")
+      ->default_val("specimen.h5");
+  command
+      ->add_option("--width-mm", options->width_mm,
+                   "The specimen is so wide, whatever specimen.width_mm of the rock file says.")
       ->check(within("--width-mm", dem2d::specimen_length_mm));
-  command->add_option("--height-mm", options->height_mm, "instead of specimen.height_mm of the rock file")
+  command
+      ->add_option("--height-mm", options->height_mm,
+                   "The specimen is so high, whatever specimen.height_mm of the rock file says.")
       ->check(within("--height-mm", dem2d::specimen_length_mm));
   command
       ->add_option("--from-discs", options->discs_file,
-                   "join the discs of this table (x_m, y_m, radius_m) instead of packing; the box is fitted to them "
-                   "unless --width-mm and --height-mm say where it ends")
+                   "The program joins the discs of this table (x_m, y_m, radius_m) instead of packing some. The box is "
+                   "fitted to "
+                   "them unless --width-mm and --height-mm say where it ends.")
       ->check(not_empty());
   add_computing(*command, options->common);
   command->callback([options] { run(*options); });

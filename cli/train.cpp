@@ -15,7 +15,8 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string data_file, output, init_from;
+  std::vector<std::string> data_files;
+  std::string output, init_from;
   surrogate::TrainOptions train = surrogate::recommended();
   std::string output_activation;
   std::optional<int> patience;
@@ -70,7 +71,7 @@ std::string search_kinds(Options& options, const surrogate::TrainingData& data, 
 }
 
 void run(Options options) {
-  const surrogate::TrainingData data = surrogate::read_training_data(options.data_file);
+  const surrogate::TrainingData data = surrogate::read_training_data(options.data_files);
   surrogate::Model start;
   if (!options.init_from.empty()) {
     start = surrogate::read_model(options.init_from);
@@ -79,8 +80,9 @@ void run(Options options) {
   options.train.shuffle = !options.no_shuffle;
   options.train.averaged = !options.single_cuts;
   options.train.output = *surrogate::output_activation(options.output_activation);
-  options.train.threads = options.common.threads;
-  require_outputs(options.common, {options.data_file, options.init_from}, {options.output});
+  std::vector<std::filesystem::path> inputs(options.data_files.begin(), options.data_files.end());
+  inputs.emplace_back(options.init_from);
+  require_outputs(options.common, inputs, {options.output});
   if (options.init_from.empty()) surrogate::require_varied_inputs(data.rows, data.file);
   for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
   for (const std::string& doubt : surrogate::learning_warnings(data)) warn(options.common, doubt);
@@ -89,8 +91,8 @@ void run(Options options) {
       options.patience.value_or(options.train.validation > 0.0 ? surrogate::recommended_patience : 0);
   surrogate::check_options(options.train);
   if (options.common.check) {
-    say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", options.data_file, data.rows.size(),
-        cases, surrogate::output_count, surrogate::parameter_count(options.train.layers));
+    say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", data.file, data.rows.size(), cases,
+        surrogate::output_count, surrogate::parameter_count(options.train.layers));
     write_json(options.common, {{"rows", data.rows.size()}, {"cases", cases}});
     return;
   }
@@ -133,61 +135,92 @@ void run(Options options) {
 void add_train(CLI::App& app) {
   auto options = std::make_shared<Options>();
   surrogate::TrainOptions& train = options->train;
-  options->common.threads = cores();  // trainings run side by side
-  CLI::App* command = app.add_subcommand("train", "fit the networks to features.csv");
-  command->add_option("data", options->data_file, "features.csv or features_mean.csv")->required();
-  command->add_option("-o,--output", options->output, "model file to write")->default_val("model.json");
-  command->add_option("--epochs", train.epochs, "passes through the data, at most")
+  CLI::App* command = app.add_subcommand("train", "Trains the networks on a table of cuts (features.csv).");
+  command
+      ->add_option(
+          "data", options->data_files,
+          "The data: a features.csv or features_mean.csv. Several tables count as one; their cases get numbers of "
+          "their own.")
+      ->required();
+  command->add_option("-o,--output", options->output, "The networks go to this model file (.json).")
+      ->default_val("model.json");
+  command->add_option("--epochs", train.epochs, "The training goes through the data at most so many times (epochs).")
       ->check(CLI::Range(1, 10000000))
       ->capture_default_str();
-  command->add_option("--batch", train.batch, "rows a step")->check(CLI::Range(1, 1000000))->capture_default_str();
-  command->add_option("--learning-rate", train.learning_rate, "of Adam")
+  command->add_option("--batch", train.batch, "Each step of the training looks at so many rows.")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command
+      ->add_option("--learning-rate", train.learning_rate,
+                   "The training changes the networks by about this much in a step (step size of Adam).")
       ->check(within("--learning-rate", base::between(1e-9, 1.0)))
       ->capture_default_str();
-  command->add_option("--seed", train.seed, "of initial weights, batches and split")
+  command
+      ->add_option(
+          "--seed", train.seed,
+          "The seed draws the first weights, the order of the rows and the cases that are held out for the test.")
       ->check(CLI::Range(0, 2147483647))
       ->capture_default_str();
-  command->add_option("--split", train.split, "share of the cases to learn from")
+  command
+      ->add_option("--split", train.split,
+                   "The networks learn from this share of the cases; the others are held out for the test.")
       ->check(within("--split", base::between(1e-3, 0.999)))
       ->capture_default_str();
-  command->add_option("--init-from", options->init_from, "start from the networks of this model file")
+  command
+      ->add_option("--init-from", options->init_from,
+                   "The training begins with the networks of this model file instead of random ones.")
       ->check(not_empty());
-  command->add_option("--layers", train.layers, "nodes of every layer, inputs and output included, as 3,4,6,3,1")
+  command
+      ->add_option("--layers", train.layers,
+                   "Each layer has so many nodes, inputs and output included, e.g. 3,4,6,3,1.")
       ->delimiter(',')
       ->default_str("3,4,6,3,1");
-  command->add_option("--output-activation", options->output_activation, "of the last layer")
+  command
+      ->add_option("--output-activation", options->output_activation,
+                   "The last layer passes its value through this function.")
       ->check(CLI::IsMember({"rectified", "softplus", "linear"}))
       ->default_val("rectified");
-  command->add_flag("--log-targets", train.log_targets, "learn logarithms, so that equal shares are equal errors");
+  command->add_flag(
+      "--log-targets", train.log_targets,
+      "The networks learn logarithms, so that an error of 10 % weighs the same for small and large values.");
   command
       ->add_option("--smoothing", train.smoothing,
-                   "epochs over which the parameters that are kept are averaged; 0: those of the last step")
+                   "The networks that are kept are the average over about the last so many passes through the data, "
+                   "which takes out the jitter of the training. 0 keeps those of the last step.")
       ->check(CLI::Range(0, 10000000))
       ->capture_default_str();
   command
       ->add_option("--validation", train.validation,
-                   "share of the cases to learn from that only say which epoch is best; 0: the last")
+                   "This share of the cases to learn from is not learnt, but tells after which pass the networks are "
+                   "best. With 0 the last pass is kept.")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
   command
       ->add_option("--patience", options->patience,
-                   fmt::format("with validation, stop after so many epochs without a better one; 0: never ({})",
+                   fmt::format("With --validation, the training stops after so many passes without a better one. 0 "
+                               "never stops early ({}).",
                                surrogate::recommended_patience))
       ->check(CLI::Range(0, 10000000));
-  command->add_option("--starts", train.starts, "random starts, of which the best is kept")
+  command
+      ->add_option("--starts", train.starts,
+                   "The training begins from so many random networks, and the best result is kept.")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_flag("--single-cuts", options->single_cuts,
-                    "learn from the single cuts, not from their mean over seeds");
-  command->add_flag("--weighted", train.weighted, "weigh errors by the scatter of the data");
+                    "The networks learn from the single cuts, not from the mean over the seeds of each case.");
+  command->add_flag("--weighted", train.weighted, "Cases that scatter less between seeds weigh more.");
   command->add_flag("--search", options->search,
-                    "compare kinds of networks by cross-validation and take the article's unless another is better");
-  command->add_option("--folds", options->folds, "parts of the cross-validation")
+                    "The program compares several kinds of networks by cross-validation, and takes the article's "
+                    "unless another is better.");
+  command->add_option("--folds", options->folds, "The cross-validation divides the cases into so many parts.")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  command->add_flag("--no-shuffle", options->no_shuffle, "keep the order of the file; the last cases are the test set");
-  command->add_option("--rock", train.rock, "which rock, noted in the model file");
-  add_computing(*command, options->common);
+  command->add_flag("--no-shuffle", options->no_shuffle,
+                    "The cases keep the order of the file, and the last ones are the test set.");
+  command->add_option("--rock", train.rock, "The model file notes this name of the rock.");
+  add_common(*command, options->common);
+  add_jobs(*command, train.threads, "trainings", Spelling::jobs_or_threads);
+  add_check(*command, options->common);
   command->callback([options] { run(*options); });
 }
 

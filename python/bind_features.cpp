@@ -42,13 +42,11 @@ py::dict read_features(const py::object& path) {
   return columns;
 }
 
-}  // namespace
-
-surrogate::TrainingData training_data(const py::object& data) {
-  if (!py::isinstance<py::dict>(data)) return surrogate::read_training_data(input_path(data));
+/// Through a file, so that one reader checks all data.
+surrogate::TrainingData read_columns(const py::dict& data) {
   std::vector<std::string> names;
   std::vector<std::vector<double>> columns;
-  for (const auto& [key, value] : data.cast<py::dict>()) {
+  for (const auto& [key, value] : data) {
     const std::string name = py::str(key);
     const py::array column = py::module_::import("numpy").attr("asarray")(value);
     if (column.dtype().kind() == 'U' || column.dtype().kind() == 'O') continue;  // text, such as the hash
@@ -65,6 +63,17 @@ surrogate::TrainingData training_data(const py::object& data) {
   const std::filesystem::path file = folder.path() / "arrays.csv";
   base::write_whole(file, base::csv_text(names, columns));
   return surrogate::read_training_data(file);
+}
+
+}  // namespace
+
+surrogate::TrainingData training_data(const py::object& data) {
+  if (py::isinstance<py::list>(data) || py::isinstance<py::tuple>(data)) {
+    std::vector<surrogate::TrainingData> tables;
+    for (const py::handle& table : data) tables.push_back(training_data(py::reinterpret_borrow<py::object>(table)));
+    return surrogate::joined(tables);
+  }
+  return py::isinstance<py::dict>(data) ? read_columns(data) : surrogate::read_training_data(input_path(data));
 }
 
 void bind_features(py::module_& module) {

@@ -80,7 +80,7 @@ void bind_train(py::module_& module) {
       "data: a table (features.csv), or a dict of its columns: case, cutter_speed_m_per_s, depth_of_cut_mm,\n"
       "back_rake_deg, cut_length_m, and for x and y {amax_N_per_m, amean_N_per_m, np1, np23, np4}; seed where there "
       "are\n"
-      "several cuts of a case. Counts are of the whole cut.\n"
+      "several cuts of a case. Counts are of the whole cut. A list of tables is learnt from together.\n"
       "split: share of the cases to learn from. smoothing: epochs over which the parameters that are kept are "
       "averaged.\n"
       "validation: share of the cases to learn from that only say which epoch is best. starts: random starts, of "

@@ -10,7 +10,7 @@
 
 namespace bitrock::python {
 
-/// Training data of a table: its file, or a dict of columns. Both are read by the one reader of features.csv.
+/// Training data of a table (its file, or a dict of columns), or of a list of tables.
 surrogate::TrainingData training_data(const pybind11::object& data);
 
 }  // namespace bitrock::python

@@ -9,13 +9,15 @@
 #include "surrogate/net/model_file.hpp"
 #include "views/bit/chapter.hpp"
 #include "views/cut/chapter.hpp"
+#include "views/drill/chapter.hpp"
 #include "views/networks/chapter.hpp"
 
 namespace bitrock::views {
 
 namespace {
 
-std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
+/// The HDF5 files of a folder, by name; none where there is no folder.
+std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code no_folder;
   if (std::filesystem::is_directory(folder, no_folder)) {
@@ -24,9 +26,52 @@ std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
     }
   }
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
   std::vector<dem2d::RunFile> runs;
-  for (const auto& file : files) runs.push_back(dem2d::read_run(file));
+  for (const auto& file : results_in(folder)) runs.push_back(dem2d::read_run(file));
   return runs;
+}
+
+void add_networks(report::Page& page, const CampaignFiles& files) {
+  const bool has_data = base::is_there(files.data);
+  if (has_data && base::is_there(files.earlier_model)) {
+    const surrogate::Model earlier = surrogate::read_model(files.earlier_model);
+    page.section(
+        "Networks that have not seen these cuts",
+        fmt::format("The networks of {}, which learnt from {}, against the cuts of this page: other conditions, "
+                    "other rocks of the same kind. What they miss beside the scatter of the cuts themselves is "
+                    "what they would miss in use.",
+                    files.earlier_model.filename().string(), earlier.provenance.data_file));
+    add_parity(page, earlier,
+               surrogate::parity(earlier, surrogate::read_training_data(files.data),
+                                 surrogate::CaseNumbers::of_another_study));
+  }
+  if (!base::is_there(files.model)) return;
+  const surrogate::Model model = surrogate::read_model(files.model);
+  page.section("Learning",
+               fmt::format("Ten small networks, one for each statistic of each force: speed, depth and rake in, "
+                           "one number out. They learnt from {}. Peak counts are per metre of cut.",
+                           model.provenance.data_file));
+  add_learning_curves(page, model);
+  if (!has_data) return;
+  page.section("Network against DEM");
+  add_parity(page, model, surrogate::parity(model, surrogate::read_training_data(files.data)));
+}
+
+void add_drill_runs(report::Page& page, const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::vector<runtime::DrillFile> runs;
+  for (const auto& file : results_in(folder)) {
+    if (runs.size() == most_shown_runs) break;
+    names.push_back(file.string());
+    runs.push_back(runtime::read_drill_run(file));
+  }
+  if (runs.empty()) return;
+  const std::vector<ShownRun> shown = shown_runs(names, std::move(runs));
+  add_drill_chapters(page, shown, drill_figures(shown), "The drill string: ");
 }
 
 }  // namespace
@@ -35,8 +80,10 @@ CampaignFiles campaign_files(const std::filesystem::path& folder) {
   return {.runs = folder / "runs",
           .model = folder / "model.json",
           .data = folder / "features.csv",
+          .earlier_model = folder / "earlier_model.json",
           .bit_force = folder / "bit_force.csv",
-          .bit_force_json = folder / "bit_force.json"};
+          .bit_force_json = folder / "bit_force.json",
+          .drill = folder / "drill"};
 }
 
 report::Page campaign_page(const std::filesystem::path& folder) {
@@ -48,28 +95,17 @@ report::Page campaign_page(const std::filesystem::path& folder) {
   }
   report::Page page("From lab rock to bit force", runs.empty() ? std::string() : runs.front().cut.rock.name);
   if (!runs.empty()) add_cut_chapters(page, runs);
-  if (base::is_there(files.model)) {
-    const surrogate::Model model = surrogate::read_model(files.model);
-    page.section("Learning",
-                 "Ten small networks, one for each statistic of each force: speed, depth and rake in, one number out. "
-                 "Peak counts are per metre of cut.");
-    add_learning_curves(page, model);
-    if (base::is_there(files.data)) {
-      const surrogate::TrainingData data = surrogate::read_training_data(files.data);
-      page.section("Network against DEM");
-      add_parity(page, model, surrogate::parity(model, data));
-    }
-  }
+  add_networks(page, files);
   if (base::is_there(files.bit_force)) {
     page.section(
         "The whole bit",
         "Every cutter rebuilds its own force history from the peak statistics, with its own random numbers; the bit is "
         "their sum. Positive force pushes the bit off the rock, positive torque resists its rotation. These are sharp "
         "cutters in the simulated rock, without friction under worn ones: not the load of a field bit. The rebuilt "
-        "mean "
-        "is half of A_mean times the pulse width factor, which is not the mean force of the simulated cuts.");
+        "mean is half of A_mean times the pulse width factor, which is not the mean force of the simulated cuts.");
     add_bit_force(page, files.bit_force, files.bit_force_json);
   }
+  add_drill_runs(page, files.drill);
   return page;
 }
 

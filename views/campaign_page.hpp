@@ -1,5 +1,5 @@
 #pragma once
-/// Everything that a campaign folder holds, on one page: cuts, learning, network against DEM, the whole bit.
+/// Everything that a campaign folder holds, on one page: cuts, networks against DEM, the whole bit, drill runs.
 
 #include <filesystem>
 
@@ -10,7 +10,10 @@ namespace bitrock::views {
 /// What the page is made of; each may be missing.
 struct CampaignFiles {
   std::filesystem::path runs;  ///< folder of run files
-  std::filesystem::path model, data, bit_force, bit_force_json;
+  std::filesystem::path model, data;
+  std::filesystem::path earlier_model;  ///< networks that have seen none of these cuts
+  std::filesystem::path bit_force, bit_force_json;
+  std::filesystem::path drill;  ///< folder of drill runs, of which the first `most_shown_runs` are shown
 };
 CampaignFiles campaign_files(const std::filesystem::path& folder);
 

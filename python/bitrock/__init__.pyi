@@ -1,6 +1,6 @@
 from os import PathLike
 from pathlib import Path
-from typing import Any, Callable, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
 from numpy import bool_, float64, int32, int64, str_, void
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,7 @@ __version__: str
 _Path = Union[str, PathLike[str]]
 _Content = Union[_Path, dict[str, Any]]
 _Progress = Union[None, bool, Callable[[float, float], Any]]
+_Table = Union[_Path, dict[str, ArrayLike]]
 _Numbers = NDArray[float64]
 _Counts = NDArray[int32]
 
@@ -269,7 +270,7 @@ class Model:
     def provenance(self) -> dict[str, Any]: ...
 
 def train(
-    data: Union[_Path, Mapping[str, ArrayLike]],
+    data: Union[_Table, Sequence[_Table]],
     *,
     epochs: int = 600,
     batch: int = 4,
@@ -332,7 +333,7 @@ class Parity:
     @property
     def outside_training_range(self) -> int: ...
 
-def parity(model: Model, data: Union[_Path, Mapping[str, ArrayLike]], *, unseen: bool = False) -> Parity: ...
+def parity(model: Model, data: Union[_Table, Sequence[_Table]], *, unseen: bool = False) -> Parity: ...
 
 class Bit:
     @staticmethod

@@ -62,6 +62,16 @@ void require_folder(const Study& study, const Path& folder) {
   refuse_other_study(study, folder);
 }
 
+std::filesystem::path study_in(const std::filesystem::path& folder) {
+  if (folder.empty())
+    throw base::InputError("a study is needed (a file, or with --dir the folder of a campaign that has begun)");
+  const std::filesystem::path kept = folder / "study.toml";
+  if (std::filesystem::exists(kept)) return kept;
+  throw base::InputError(
+      fmt::format("{} has no study.toml yet, so a study must be named (bitrock campaign run STUDY.toml --dir {})",
+                  folder.string(), folder.string()));
+}
+
 void open_folder(const Study& study, const Path& folder) {
   base::require_writable_folder(folder);
   const bool is_new = !base::is_there(folder / "study.toml");

@@ -24,6 +24,10 @@ namespace bitrock::studies {
 /// Throws `base::InputError` when the folder is none of a campaign, or belongs to another study.
 void require_folder(const Study& study, const std::filesystem::path& folder);
 
+/// The study that a folder of a campaign holds, where no other is named. Throws `InputError` when there is none
+/// (`folder` may be empty).
+std::filesystem::path study_in(const std::filesystem::path& folder);
+
 /// Makes what is missing. Throws `base::InputError` when the folder belongs to another study or cannot be written.
 void open_folder(const Study& study, const std::filesystem::path& folder);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
@@ -71,6 +72,30 @@ void complete(LabSeries& series, const std::string& rock_file) {
   if (series.settings.strain_rate == 0.0)
     series.settings.strain_rate = dem2d::default_strain_rate(series.test, series.rock, series.settings);
   if (series.rate_check) dem2d::check_lab_settings(series.test, series.rock, at_half_rate(series.settings), rock_file);
+}
+
+void take_given(LabSeries& series, dem2d::Specimen given) {
+  series.given = std::move(given);
+  dem2d::Specimen& specimen = *series.given;
+  series.settings.width = specimen.width;
+  series.settings.height = specimen.height;
+  series.seeds.push_back(specimen.seed);
+  series.rock.radius_min = specimen.rock.radius_min;
+  series.rock.radius_max = specimen.rock.radius_max;
+  if (specimen.packed_elsewhere()) {
+    const auto [smallest, largest] = std::minmax_element(specimen.radius.begin(), specimen.radius.end());
+    series.rock.radius_min = *smallest;
+    series.rock.radius_max = *largest;
+  }
+  specimen.rock = series.rock;
+  const dem2d::LabBox box = dem2d::specimen_box(series.test, series.settings);
+  if (specimen.height != box.height) {
+    throw base::InputError(
+        fmt::format("{} test: the specimen is {:.6g} x {:.6g} mm (wanted is {:.6g} x {:.6g} mm: make it with `bitrock "
+                    "specimen --width-mm {:.6g} --height-mm {:.6g}`)",
+                    dem2d::name_of(series.test), specimen.width * 1e3, specimen.height * 1e3, box.width * 1e3,
+                    box.height * 1e3, box.width * 1e3, box.height * 1e3));
+  }
 }
 
 LabResults run_series(const LabSeries& series, int jobs, const base::ProgressCallback& progress,

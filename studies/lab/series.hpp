@@ -30,6 +30,10 @@ struct LabSeries {
 /// settings do not fit the test or the rock.
 void complete(LabSeries& series, const std::string& rock_file);
 
+/// Tests these discs, with the joints of the rock of the series; the radii of the rock are then theirs. Before
+/// `complete`. Throws `InputError` when they are not of the size that the test needs.
+void take_given(LabSeries& series, dem2d::Specimen given);
+
 /// The tests that were finished, in the order of the seeds; with the rate check those finished at both rates.
 struct LabResults {
   std::vector<dem2d::LabRun> runs, half_rate;                   ///< the second empty without the rate check

@@ -53,9 +53,17 @@ double to_network(const OutputModel& output, double value);
 double from_network(const OutputModel& output, double given);
 
 /// Where a model came from: enough to train it again to the same bits.
+/// One of several tables that networks learnt from together.
+struct DataPart {
+  std::string file;         ///< name without folder
+  std::string fingerprint;  ///< of the file
+  int first_case = 0;       ///< added to the case numbers of the file, so that those of all parts differ
+};
+
 struct Provenance {
   std::string data_file;            ///< file name without folder
   std::string data_fingerprint;     ///< `base::fingerprint_text` of the file
+  std::vector<DataPart> data_parts;  ///< when it was several files; then the two above speak of all together
   std::string initial_fingerprint;  ///< of the model file a warm start began from; empty: a random start
   std::uint64_t seed = 0;           ///< of initial weights and batch order
   std::uint64_t split_seed = 0;     ///< of the choice of test cases

@@ -69,27 +69,33 @@ OrderedJson output_json(const OutputModel& output) {
 }
 
 OrderedJson provenance_json(const Provenance& provenance) {
-  return {{"data_file", provenance.data_file},
-          {"data_fingerprint", provenance.data_fingerprint},
-          {"initial_fingerprint", provenance.initial_fingerprint},
-          {"seed", provenance.seed},
-          {"split_seed", provenance.split_seed},
-          {"split", provenance.split},
-          {"shuffle", provenance.shuffle},
-          {"epochs", provenance.epochs},
-          {"batch", provenance.batch},
-          {"learning_rate", provenance.learning_rate},
-          {"validation", provenance.validation},
-          {"patience", provenance.patience},
-          {"starts", provenance.starts},
-          {"smoothing", provenance.smoothing},
-          {"averaged", provenance.averaged},
-          {"weighted", provenance.weighted},
-          {"train_cases", provenance.train_cases},
-          {"validation_cases", provenance.validation_cases},
-          {"test_cases", provenance.test_cases},
-          {"choice", provenance.choice},
-          {"bitrock_version", provenance.bitrock_version}};
+  OrderedJson json{{"data_file", provenance.data_file},
+                   {"data_fingerprint", provenance.data_fingerprint},
+                   {"initial_fingerprint", provenance.initial_fingerprint},
+                   {"seed", provenance.seed},
+                   {"split_seed", provenance.split_seed},
+                   {"split", provenance.split},
+                   {"shuffle", provenance.shuffle},
+                   {"epochs", provenance.epochs},
+                   {"batch", provenance.batch},
+                   {"learning_rate", provenance.learning_rate},
+                   {"validation", provenance.validation},
+                   {"patience", provenance.patience},
+                   {"starts", provenance.starts},
+                   {"smoothing", provenance.smoothing},
+                   {"averaged", provenance.averaged},
+                   {"weighted", provenance.weighted},
+                   {"train_cases", provenance.train_cases},
+                   {"validation_cases", provenance.validation_cases},
+                   {"test_cases", provenance.test_cases},
+                   {"choice", provenance.choice},
+                   {"bitrock_version", provenance.bitrock_version}};
+  if (provenance.data_parts.empty()) return json;
+  OrderedJson parts = OrderedJson::array();
+  for (const DataPart& part : provenance.data_parts)
+    parts.push_back({{"file", part.file}, {"fingerprint", part.fingerprint}, {"first_case", part.first_case}});
+  json["data_parts"] = parts;
+  return json;
 }
 
 OrderedJson curve_json(const std::vector<LearningPoint>& curve) {
@@ -177,11 +183,22 @@ Provenance read_provenance(const JsonPlace& place) {
               "learning_rate", "validation",       "patience",
               "starts",        "smoothing",        "averaged",
               "weighted",      "train_cases",      "validation_cases",
-              "test_cases",    "choice",           "bitrock_version"});
+              "test_cases",    "choice",           "bitrock_version",
+              "data_parts"});
   constexpr std::uint64_t any_seed = std::numeric_limits<std::uint64_t>::max();
   Provenance provenance;
   provenance.data_file = place.at("data_file").text();
   provenance.data_fingerprint = place.at("data_fingerprint").text();
+  if (place.has("data_parts")) {  // models of one table are without
+    const JsonPlace parts = place.at("data_parts");
+    for (std::size_t k = 0; k < parts.list(); ++k) {
+      const JsonPlace part = parts.at(k);
+      part.only({"file", "fingerprint", "first_case"});
+      provenance.data_parts.push_back({.file = part.at("file").text(),
+                                       .fingerprint = part.at("fingerprint").text(),
+                                       .first_case = static_cast<int>(part.at("first_case").whole_up_to(largest_int))});
+    }
+  }
   provenance.initial_fingerprint = place.at("initial_fingerprint").text();
   provenance.seed = place.at("seed").whole_up_to(any_seed);
   provenance.split_seed = place.at("split_seed").whole_up_to(any_seed);

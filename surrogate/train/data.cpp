@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -169,6 +170,47 @@ TrainingData read_training_data(const std::filesystem::path& path) {
   for (std::size_t row = 0; row < table.rows(); ++row) data.rows.push_back(read_row(table, row, data.has_seeds));
   check_rows_together(table, data);
   return data;
+}
+
+TrainingData joined(const std::vector<TrainingData>& tables) {
+  if (tables.empty()) throw base::InputError("no data to learn from (name at least one table)");
+  if (tables.size() == 1) return tables.front();
+  TrainingData all{.file = {}, .fingerprint = {}, .has_seeds = tables.front().has_seeds, .rows = {}};
+  std::string fingerprints;
+  int first_case = 0;
+  for (const TrainingData& table : tables) {
+    if (table.has_seeds != all.has_seeds) {
+      throw base::InputError(
+          fmt::format("{} and {}: one has a column seed, the other has not (rows must be single cuts "
+                      "in both, or means in both)",
+                      tables.front().file, table.file));
+    }
+    for (const DataPart& part : all.parts) {
+      if (part.fingerprint == table.fingerprint)
+        throw base::InputError(fmt::format("{} and {} hold the same (name each table once)", part.file, table.file));
+    }
+    all.parts.push_back({.file = table.file, .fingerprint = table.fingerprint, .first_case = first_case});
+    all.file += (all.file.empty() ? "" : " + ") + table.file;
+    fingerprints += table.fingerprint + "\n";
+    int highest = 0;
+    for (TrainingRow row : table.rows) {
+      highest = std::max(highest, row.case_number);
+      if (row.case_number > std::numeric_limits<int>::max() - first_case)
+        throw base::InputError(
+            fmt::format("{}: case {} is too large a number beside other tables", table.file, row.case_number));
+      row.case_number += first_case;
+      all.rows.push_back(row);
+    }
+    first_case += highest;
+  }
+  all.fingerprint = base::fingerprint_text(fingerprints);
+  return all;
+}
+
+TrainingData read_training_data(const std::vector<std::string>& paths) {
+  std::vector<TrainingData> tables;
+  for (const std::string& path : paths) tables.push_back(read_training_data(std::filesystem::path(path)));
+  return joined(tables);
 }
 
 TrainingData averaged(const TrainingData& data) {

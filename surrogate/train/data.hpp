@@ -33,6 +33,7 @@ struct TrainingData {
   std::string fingerprint;  ///< `base::fingerprint_text` of the file's bytes
   bool has_seeds = false;   ///< the file has a seed column
   std::vector<TrainingRow> rows;
+  std::vector<DataPart> parts{};  ///< when it was several files
 };
 
 /// Needs the columns case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, and for x and y
@@ -43,6 +44,13 @@ struct TrainingData {
 /// 1e-12, a mean height of peaks above the highest, a case and seed that come twice (without seeds: a case that comes
 /// twice), one case with two conditions, fewer than two cases.
 TrainingData read_training_data(const std::filesystem::path& path);
+
+/// The same of several files, `joined`.
+TrainingData read_training_data(const std::vector<std::string>& paths);
+
+/// Several tables as one: the cases of a later table get numbers above those of the earlier ones. One table stays what
+/// it is. Throws `InputError` when there is none, when one comes twice, or when some have seeds and others have not.
+TrainingData joined(const std::vector<TrainingData>& tables);
 
 /// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of
 /// that mean (over the rows when there are several, the file's own otherwise).

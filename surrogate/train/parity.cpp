@@ -14,6 +14,14 @@ namespace bitrock::surrogate {
 
 namespace {
 
+/// The part of what the model learnt from that these data are, byte for byte.
+const DataPart* part_of(const Model& model, const TrainingData& data) {
+  const std::vector<DataPart>& parts = model.provenance.data_parts;
+  const auto found = std::find_if(parts.begin(), parts.end(),
+                                  [&](const DataPart& part) { return part.fingerprint == data.fingerprint; });
+  return found == parts.end() ? nullptr : &*found;
+}
+
 CaseRole role_of(const Model& model, int case_number, CaseNumbers numbers) {
   if (numbers == CaseNumbers::of_another_study) return CaseRole::unseen;
   if (contains(model.provenance.train_cases, case_number)) return CaseRole::train;
@@ -188,12 +196,14 @@ void compare(OutputParity& output) {
 
 Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers) {
   Parity result;
-  result.same_data = data.fingerprint == model.provenance.data_fingerprint;
+  const DataPart* part = part_of(model, data);
+  const int first_case = part == nullptr ? 0 : part->first_case;
+  result.same_data = part != nullptr || data.fingerprint == model.provenance.data_fingerprint;
   const TrainingData means = averaged(data);
   const ScatterLaw law = scatter_law(means.rows);
   result.law_degrees = law.degrees_of_freedom;
   for (const TrainingRow& mean : means.rows) {
-    const CaseRole role = role_of(model, mean.case_number, numbers);
+    const CaseRole role = role_of(model, mean.case_number + first_case, numbers);
     const Prediction prediction = predict(model, conditions_of(mean));
     if (is_held_out(role)) {
       result.has_held_out = true;

@@ -212,6 +212,7 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
   train_outputs(options, law, sides, progress, model);
   model.provenance = {.data_file = data.file,
                       .data_fingerprint = data.fingerprint,
+                      .data_parts = data.parts,
                       .initial_fingerprint = options.init_from == nullptr
                                                  ? std::string()
                                                  : base::fingerprint_text(model_text(*options.init_from)),

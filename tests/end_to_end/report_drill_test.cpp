@@ -96,7 +96,8 @@ TEST(ReportDrill, NoShareOfQuestionsIsAboveAll) {
   const std::string page = base::read_whole(page_file);
   double sum = 0.0;
   for (const char* what : {"speed", "depth", "rake"}) {
-    const std::string cell = cell_of(page, fmt::format("\u2003{} outside their range [% of questions]", what));
+    const std::string cell =
+        cell_of(page, fmt::format("\u2003{} outside what the networks have learnt [% of questions]", what));
     const double share = std::stod(cell);
     EXPECT_GE(share, 0.0);
     EXPECT_LE(share, 100.0) << what;
@@ -118,6 +119,22 @@ TEST(ReportDrill, RunsStandSideBySide) {
   const std::string twin = (runs.folder / "other" / "sinusoid.h5").string();
   ASSERT_EQ(run("report " + runs.sinusoid + " " + twin + " -o " + runs.page).status, 0);
   EXPECT_TRUE(holds(base::read_whole(runs.page), "<th>" + twin + "</th>")) << "two of one name keep their folders";
+}
+
+TEST(ReportDrill, ACampaignFolderShowsItsDrillRunsAndNetworksThatHaveNotSeenItsCuts) {
+  const Runs runs;
+  const std::filesystem::path folder = runs.folder / "campaign";
+  std::filesystem::create_directories(folder / "drill");
+  std::filesystem::copy_file(runs.noise, folder / "drill/noise.h5");
+  std::filesystem::copy_file(BITROCK_SOURCE_DIR "/campaigns/paper240/model.json", folder / "earlier_model.json");
+  std::filesystem::copy_file(BITROCK_SOURCE_DIR "/campaigns/six_mm/features.csv", folder / "features.csv");
+  base::write_whole(folder / "bit_force.csv", "time_s,axial_force_N,torque_N_m\n0,1,2\n0.1,3,4\n0.2,2,3\n");
+  const auto outcome = run("report " + folder.string() + " -o " + runs.page);
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const std::string page = base::read_whole(runs.page);
+  for (const char* words : {"Networks that have not seen these cuts", "earlier_model.json", "held out lie outside",
+                            "The drill string: summary", "The drill string: over time", "shaken by noise"})
+    EXPECT_TRUE(holds(page, words)) << words;
 }
 
 TEST(ReportDrill, FiguresAreFilesWithScriptAndTable) {

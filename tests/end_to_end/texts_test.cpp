@@ -77,7 +77,7 @@ TEST_F(Texts, WarningsAreShownWithQuietToo) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.text.find("bitrock: warning: outside the training range"), std::string::npos) << outcome.text;
   }
-  EXPECT_NE(run("predict --help").text.find("print only warnings and errors"), std::string::npos);
+  EXPECT_NE(run("predict --help").text.find("prints only warnings and errors"), std::string::npos);
   const std::string inside = "predict " + model + " --speed-m-per-s 1 --depth-mm 2 --rake-deg 15 --quiet";
   EXPECT_EQ(run(inside).text, "");
 }

@@ -51,7 +51,7 @@ std::vector<Target> config_targets() {
                studies::resolved_toml(study);
              });
            },
-       .seeds = {beside_rock("campaigns/demo.toml", "rocks/article.toml"),
+       .seeds = {beside_rock("campaigns/eight.toml", "rocks/article.toml"),
                  beside_rock("campaigns/paper240.toml", "rocks/article_fine.toml"), study_by_table()}},
       {.name = "target_toml",
        .read =

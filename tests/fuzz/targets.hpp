@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/errors.hpp"
+
 using namespace bitrock;
 
 namespace fuzz {

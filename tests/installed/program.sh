@@ -14,7 +14,7 @@ empty=$(find "$scratch/moved to" -type d -empty)
 
 bitrock="$scratch/moved to/bin/bitrock"
 shipped="$scratch/moved to/share/bitrock/campaigns"
-for file in paper240/model.json paper240/features.csv paper240/features_mean.csv paper240.toml demo.toml \
+for file in paper240/model.json paper240/features.csv paper240/features_mean.csv paper240.toml demo.toml eight.toml \
   bits/pdc15.toml cuts/example.toml drill/normal.toml rocks/article.toml rocks/targets/article.toml; do
   [ -s "$shipped/$file" ] || { echo "not installed: $file"; exit 1; }
 done

@@ -95,7 +95,7 @@ TEST(CalibrationTarget, ATargetInAnotherUnitIsRefusedWithIt) {
 
 TEST(CalibrationTarget, WhatDiscsInTwoDimensionsDoNotReachIsWarnedOf) {
   const auto warned = [](const std::string& numbers) {
-    return dem2d::warnings(studies::parse_target("[target]\nname = \"a\"\n" + numbers + rock_line, "target.toml"));
+    return studies::warnings(studies::parse_target("[target]\nname = \"a\"\n" + numbers + rock_line, "target.toml"));
   };
   EXPECT_TRUE(warned("ucs_MPa = 70\ntensile_strength_MPa = 7\npoissons_ratio = 0.25\n").empty());
   const auto round = warned("poissons_ratio = 0.4\n");
@@ -213,7 +213,7 @@ struct Ended {
 
 TEST(CalibratedRock, TheFileReadsBackAsExactlyWhatWasTested) {
   const Ended ended;
-  const std::string text = dem2d::calibrated_rock_toml(ended.target, ended.calibration, "bitrock calibrate x");
+  const std::string text = studies::calibrated_rock_toml(ended.target, ended.calibration, "bitrock calibrate x");
   const dem2d::Rock rock = dem2d::parse_rock(text, "rock.toml");
   EXPECT_EQ(studies::micro_of(rock), ended.calibration.best.micro);
   EXPECT_EQ(rock.name, "soft\nrock");
@@ -231,7 +231,7 @@ TEST(CalibratedRock, AMissedTargetSaysSoInTheFileAndInTheName) {
   ended.calibration.end = studies::SearchEnd::out_of_reach;
   ended.calibration.limits = {"stiffness ratio 10 is the largest allowed"};
   ended.calibration.best.measured[studies::index_of(Property::ucs)].mean = 30e6;
-  const std::string text = dem2d::calibrated_rock_toml(ended.target, ended.calibration, "bitrock calibrate x");
+  const std::string text = studies::calibrated_rock_toml(ended.target, ended.calibration, "bitrock calibrate x");
   EXPECT_NE(text.find("# NOT REACHED: out of reach of this model; stiffness ratio 10 is the largest allowed; a larger "
                       "strength ratio needs more scatter of the strengths"),
             std::string::npos)
@@ -248,7 +248,7 @@ TEST(CalibratedRock, NoNameAndNoCommandMakesTheFileUnreadable) {
   const std::string command =
       "x -o r\xf6"
       "ck\n \xc0\xaf \xed\xa0\x80 \xf4\x90\x80\x80 \xe2\x82";
-  const std::string text = dem2d::calibrated_rock_toml(ended.target, ended.calibration, command);
+  const std::string text = studies::calibrated_rock_toml(ended.target, ended.calibration, command);
   EXPECT_EQ(dem2d::parse_rock(text, "rock.toml").name, ended.target.name);
   EXPECT_NE(text.find("# a b Wei\xc3\x9f \xe2\x82\xac \xf0\x9f\xaa\xa8, made by"), std::string::npos) << text;
   EXPECT_NE(text.find("#   x -o r?ck  ?? ??? ???? ??\n"), std::string::npos) << text;
@@ -257,7 +257,7 @@ TEST(CalibratedRock, NoNameAndNoCommandMakesTheFileUnreadable) {
 TEST(CalibratedRock, ARockThatNoCommandCouldReadIsNotWritten) {
   Ended ended;
   ended.calibration.best.micro[studies::index_of(studies::MicroParameter::cohesion)] = -1.0;
-  EXPECT_THROW(dem2d::calibrated_rock_toml(ended.target, ended.calibration, "x"), base::SimulationError);
+  EXPECT_THROW(studies::calibrated_rock_toml(ended.target, ended.calibration, "x"), base::SimulationError);
 }
 
 TEST(Journal, FindsOnlyWhatWasTestedUnderTheSameInputs) {
@@ -412,7 +412,7 @@ TEST(Laboratory, GoesOnFromTheJournalWithTheSameResult) {
   const auto run = [&](int threads) {
     studies::Journal journal(dir / "j.csv", studies::journal_inputs(target));
     studies::Laboratory laboratory(target, journal, threads);
-    const auto found = dem2d::calibrate(target, {}, [&](const studies::Micro& micro, int seeds) {
+    const auto found = studies::calibrate(target, {}, [&](const studies::Micro& micro, int seeds) {
       return laboratory.evaluate(micro, studies::seeds_from(1, seeds));
     });
     return std::pair(found, laboratory.count());

@@ -64,7 +64,7 @@ studies::CalibrationTarget article() {
 }
 
 studies::Calibration run(ModelRock& rock, const studies::CalibrationTarget& target, bool friction = false) {
-  return dem2d::calibrate(target, {.friction = friction},
+  return studies::calibrate(target, {.friction = friction},
                           [&rock](const Micro& micro, int seeds) { return rock.evaluate(micro, seeds); });
 }
 
@@ -138,7 +138,7 @@ TEST(CalibrationSearch, AFewUnluckySpecimensDoNotDecideThatATargetIsOutOfReach) 
   ModelRock rock{.saturation = 11.0};
   auto target = article();
   target.settings = {.seeds = 12, .scouting_seeds = 3};
-  const auto found = dem2d::calibrate(target, {}, [&](const Micro& micro, int seeds) {
+  const auto found = studies::calibrate(target, {}, [&](const Micro& micro, int seeds) {
     studies::Evaluation made = rock.evaluate(micro, 1);
     for (auto& measured : made.measured) measured.count = seeds;
     base::Summary& strength = made.measured[0];
@@ -216,7 +216,7 @@ TEST(CalibrationSearch, AWrongSlopeDoesNotTurnTheSearchAwayFromItsLimit) {
   // where cohesion no longer helps, chance decides the measured slope; a negative one must not send the search back
   auto target = article();
   target.wanted = {40 * 7.1e6, 0.0, 0.0, 0.0};
-  const auto found = dem2d::calibrate(target, {}, [](const Micro& micro, int) {
+  const auto found = studies::calibrate(target, {}, [](const Micro& micro, int) {
     studies::Evaluation made{.micro = micro};
     made.measured[0] = {.count = 1, .mean = 70e6 * std::pow(micro[3] / 50e6, -0.2)};
     return made;
@@ -244,7 +244,7 @@ TEST(CalibrationSearch, FrictionThatHelpsMayStartFromNone) {
   target.start.friction = 0.0;
   target.wanted[studies::index_of(Property::ucs)] = 11.0 * 7.1e6;
   ModelRock rock{.saturation = 13.0};
-  const auto found = dem2d::calibrate(target, {.friction = true}, [&](Micro micro, int seeds) {
+  const auto found = studies::calibrate(target, {.friction = true}, [&](Micro micro, int seeds) {
     const double friction = micro[4];
     micro[4] = std::max(friction, 0.05);  // the formula has no strength without friction; a rock has some
     studies::Evaluation made = rock.evaluate(micro, seeds);
@@ -268,7 +268,7 @@ TEST(CalibrationSearch, NoTryLeavesTheRangesOfARockFile) {
     EXPECT_NO_THROW(dem2d::parse_rock(base::to_toml(dem2d::describe(tried)), "tried.toml"));
     return rock.evaluate(micro, seeds);
   };
-  const studies::Calibration found = dem2d::calibrate(target, {}, evaluate);
+  const studies::Calibration found = studies::calibrate(target, {}, evaluate);
   EXPECT_LE(found.best.micro[0], 1000e9);
   EXPECT_GT(found.best.micro[0], 900e9);
 }
@@ -288,7 +288,7 @@ TEST(CalibrationSearch, AStepIntoARockThatCannotBeTestedIsTakenBack) {
   ModelRock rock;
   const auto target = article();
   int refused = 0;
-  const auto found = dem2d::calibrate(target, {}, [&](const Micro& micro, int seeds) {
+  const auto found = studies::calibrate(target, {}, [&](const Micro& micro, int seeds) {
     if (rock.calls == 1 && refused == 0) {
       ++refused;
       throw base::SimulationError("it did not break");
@@ -306,7 +306,7 @@ TEST(CalibrationSearch, AStartThatCannotBeTestedSaysWhyAndWhatToChange) {
   const auto message = [](const studies::CalibrationTarget& target, int seeds_that_fail) -> std::string {
     ModelRock rock;
     try {
-      dem2d::calibrate(target, {}, [&](const Micro& micro, int seeds) {
+      studies::calibrate(target, {}, [&](const Micro& micro, int seeds) {
         if (seeds == seeds_that_fail) throw base::SimulationError("it did not break");
         return rock.evaluate(micro, seeds);
       });

@@ -184,7 +184,8 @@ TEST_F(StudyFile, ShippedStudiesAreGood) {
   EXPECT_EQ(jobs.size(), 720u);
   EXPECT_LE(paper.common.rock.radius_min + paper.common.rock.radius_max, 0.5e-3 + 1e-12) << "mean grain diameter";
   EXPECT_TRUE(studies::warnings(paper).empty());
-  EXPECT_EQ(studies::jobs(studies::read_study(campaigns_folder + "demo.toml")).size(), 8u);
+  EXPECT_EQ(studies::jobs(studies::read_study(campaigns_folder + "eight.toml")).size(), 8u);
+  EXPECT_EQ(studies::jobs(studies::read_study(campaigns_folder + "demo.toml")).size(), 36u);
 }
 
 TEST_F(StudyFile, FineGrainsAreTheArticlesRockScaled) {

@@ -27,7 +27,7 @@ dem2d::Rock rock_under(double pressure) {
 }
 
 dem2d::Packing small_packing(double pressure = 30e6) {
-  return studies::pack(rock_under(pressure), width, height, 3, 1);
+  return dem2d::pack(rock_under(pressure), width, height, 3, 1);
 }
 
 TEST(PackingStress, OfTwoDiscsBetweenWallsIsTheWallPressure) {
@@ -117,7 +117,7 @@ TEST(Packing, ReachesThePressureFromDenseAndLooseClouds) {
     for (const double porosity : {0.08, 0.10, 0.25}) {  // the last does not even touch before it has grown
       dem2d::Rock rock = rock_under(pressure);
       rock.porosity = porosity;
-      const dem2d::Packing packing = studies::pack(rock, width, height, 3, 1);
+      const dem2d::Packing packing = dem2d::pack(rock, width, height, 3, 1);
       EXPECT_NEAR(packing.pressure / pressure, 1.0, 0.01) << porosity;
       EXPECT_LE(packing.equilibrium_ratio, rock.equilibrium_ratio) << porosity;
       EXPECT_NEAR(mean_overlap_over_diameter(packing.world.discs) / overlap, 1.0, 0.03)
@@ -133,7 +133,7 @@ TEST(Packing, DefaultsNeedLittleGrowth) {
 
 TEST(Packing, WithoutAPressureTheRadiiAreAsDrawn) {
   const dem2d::Rock rock = rock_under(0.0);
-  const dem2d::Packing packing = studies::pack(rock, width, height, 3, 1);
+  const dem2d::Packing packing = dem2d::pack(rock, width, height, 3, 1);
   EXPECT_EQ(packing.radius_factor, 1.0);
   EXPECT_GT(packing.pressure, 20e6) << "porosity 0.10 is over-full";
   const auto [low, high] = std::minmax_element(packing.world.discs.radius.begin(), packing.world.discs.radius.end());

@@ -42,9 +42,10 @@ inline dem2d::RunFile run() {
   run.time = {1e-3, 2e-3, 3e-3, 4e-3};
   run.force_x = {1000.0, 2000.0, 3000.0, 4000.0};
   run.force_y = {100.0, -200.0, 300.0, 200.0};
-  run.cracks = {{1e-3, 6.5e-3, 1e-3, 0.0, 0.5e-3, 1, 0, 1},
-                {1.5e-3, 6.6e-3, 1.5e-3, 0.0, 0.5e-3, 1, 0, 2},
-                {3e-3, 8.5e-3, 3e-3, 0.0, 0.5e-3, 2, 2, 4}};
+  constexpr auto tension = dem2d::ElementState::broken_in_tension, shear = dem2d::ElementState::broken_in_shear;
+  run.cracks = {{1e-3, 6.5e-3, 1e-3, 0.0, 0.5e-3, tension, 0, 1},
+                {1.5e-3, 6.6e-3, 1.5e-3, 0.0, 0.5e-3, tension, 0, 2},
+                {3e-3, 8.5e-3, 3e-3, 0.0, 0.5e-3, shear, 2, 4}};
   run.frames = {frame_at(4e-3, 4e-3)};
   return file;
 }

@@ -44,7 +44,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 /// Signature and header chunk of a PNG of 7 x 3 pixels.
 std::string png() {
-  return std::string("\x89PNG\r\n\x1a\n", 8) + std::string("\0\0\0\rIHDR\0\0\0\x07\0\0\0\x03", 16);
+  return {"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x07\0\0\0\x03", 8 + 16};
 }
 
 Page full_page() {

@@ -40,7 +40,7 @@ TEST(ResidualPlot, KindsStandApartAroundTheBandOfTwo) {
 
 double share(const Series& series) {
   double sum = 0.0;
-  for (const double density : series.y) sum += density * report::histogram_step;
+  for (const double density : series.y) sum += density * views::histogram_step;
   return sum;
 }
 

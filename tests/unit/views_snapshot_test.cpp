@@ -74,7 +74,7 @@ TEST(Snapshot, RockChipCutterAndCracksStandWhereTheyAre) {
   expect_colour(end.at(px(8.2), py(3.0)), views::chip_fills[2], "the chip whose lowest disc is 2");
   expect_colour(end.at(px(3.5), py(4.5)), views::tool_fill, "the cutter, 1 mm thick behind its tip at 4 mm");
   expect_colour(end.at(px(6.5), py(1.0)), views::tension_line, "the crack within the bed");
-  expect_colour(end.at(px(8.5), py(3.0)), dem2d::shear_line, "the crack within the chip");
+  expect_colour(end.at(px(8.5), py(3.0)), views::shear_line, "the crack within the chip");
   expect_colour(end.at(px(6.6), py(1.9)), {1, 1, 1}, "no crack where bed and chip have parted");
 }
 

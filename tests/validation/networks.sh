@@ -8,7 +8,7 @@ B=${B:-build/release/cli/bitrock}
 out=$1
 features=$2
 mkdir -p "$out"
-"$B" train "$features" -o "$out/model.json" --search --threads 2 --json "$out/train.json" \
+"$B" train "$features" -o "$out/model.json" --search --jobs 2 --json "$out/train.json" \
   --rock "article rock in grains of 0.5 mm" >&2
 "$B" parity "$out/model.json" "$features" --json "$out/parity.json" --report "$out/parity.html" --figures "$out" >&2
 "$B" train "$features" -o "$out/article.json" --epochs 50 --learning-rate 0.001 --smoothing 0 --starts 1 --quiet

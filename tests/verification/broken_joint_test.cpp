@@ -149,7 +149,7 @@ TEST_P(BrokenJoint, OnceOverItIsAsNeverThere) {
   world.discs.velocity_y = {0.3, -0.2};
 
   dem2d::World strangers = on_path(small_worlds::empty());
-  strangers.contact_damping_ratio = 0.2;
+  strangers.materials.contact_damping_ratio = 0.2;
   strangers.discs = world.discs;
   dem2d::prepare(strangers);
   strangers.step = world.step;

@@ -127,7 +127,7 @@ double energy_left(double factor, double friction) {
   const double width = 20e-3, height = 15e-3;  // some 230 discs
   static const double bound = dem2d::critical_step(
       dem2d::bonded_world(dem2d::make_specimen(rock, width, height, 3, 1), 1), dem2d::longest_step_factor);
-  static const dem2d::World packed = studies::pack(rock, width, height, 3, 1).world;
+  static const dem2d::World packed = dem2d::pack(rock, width, height, 3, 1).world;
   dem2d::World world = packed;
   world.materials.local_damping = 0.0;
   world.materials.contact_stiffness_ratio = rock.contact_stiffness_ratio;

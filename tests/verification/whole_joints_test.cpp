@@ -65,7 +65,7 @@ TEST(WholeJoints, ClosedFormEqualsTheReferenceForRandomHistories) {
       ASSERT_EQ(fast.joints.bonded, slow.joints.bonded) << "both must agree on what breaks";
       const double force = small_worlds::modulus * 1e-5;  // size of the forces at hand [N/m]
       for (std::size_t j = 0; j < fast.joints.disc1.size(); ++j) {
-        const dem2d::PairForce &a = fast.joint_forces[j], &b = slow.joint_forces[j];
+        const dem2d::PairForce &a = fast.room.joint_forces[j], &b = slow.room.joint_forces[j];
         ASSERT_NEAR(a.x, b.x, 1e-12 * force);
         ASSERT_NEAR(a.y, b.y, 1e-12 * force);
         ASSERT_NEAR(a.moment1, b.moment1, 1e-12 * force * radius);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <span>
 
@@ -143,12 +144,12 @@ report::Table summary_table(const std::vector<ShownRun>& runs) {
       return clamps.asked == 0 ? "-" : share(count / static_cast<double>(clamps.asked));
     };
   };
-  rows.push_back(
-      {"\u2003speed outside their range [% of questions]", outside(&Clamps::speed_below, &Clamps::speed_above)});
-  rows.push_back(
-      {"\u2003depth outside their range [% of questions]", outside(&Clamps::depth_below, &Clamps::depth_above)});
-  rows.push_back(
-      {"\u2003rake outside their range [% of questions]", outside(&Clamps::rake_below, &Clamps::rake_above)});
+  rows.push_back({"\u2003speed outside what the networks have learnt [% of questions]",
+                  outside(&Clamps::speed_below, &Clamps::speed_above)});
+  rows.push_back({"\u2003depth outside what the networks have learnt [% of questions]",
+                  outside(&Clamps::depth_below, &Clamps::depth_above)});
+  rows.push_back({"\u2003rake outside what the networks have learnt [% of questions]",
+                  outside(&Clamps::rake_below, &Clamps::rake_above)});
   rows.push_back({"energy lost by the solver [%]", percent(&Summary::energy_residual)});
   return table_of(
       runs,
@@ -208,14 +209,18 @@ void add_figure(report::Page& page, const report::Figure& figure) {
 }  // namespace
 
 void add_drill_chapters(report::Page& page, const std::vector<ShownRun>& runs,
-                        const std::vector<report::Figure>& figures) {
-  page.section("Summary");
+                        const std::vector<report::Figure>& figures, const std::string& part_of) {
+  const auto heading = [&](std::string text) {
+    if (!part_of.empty()) text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+    return part_of + text;
+  };
+  page.section(heading("Summary"));
   page.table(case_table(runs));
   page.table(summary_table(runs));
   add_clamp_notes(page, runs);
   const char* headings[] = {"Over time", "A closer look", "Spectra", "Orbit"};
   for (std::size_t k = 0; k < figures.size(); ++k) {
-    page.section(headings[k], figures[k].caption);
+    page.section(heading(headings[k]), figures[k].caption);
     add_figure(page, figures[k]);
   }
 }

@@ -1,0 +1,59 @@
+#include "views/json/drill_json.hpp"
+
+#include "base/units.hpp"
+#include "views/json/bit_json.hpp"
+
+namespace bitrock::views {
+
+namespace {
+
+using base::m_per_h, base::rpm;
+
+nlohmann::json spread_json(const runtime::Spread& spread, double unit) {
+  return {{"mean", spread.mean / unit},
+          {"sd", spread.deviation / unit},
+          {"min", spread.lowest / unit},
+          {"max", spread.highest / unit}};
+}
+
+}  // namespace
+
+nlohmann::json as_json(const runtime::DrillSummary& s) {
+  return {{"bit_rotation_rpm", spread_json(s.bit_rotation, rpm)},
+          {"weight_on_bit_N", spread_json(s.weight_on_bit, 1.0)},
+          {"total_force_N", spread_json(s.total_force, 1.0)},
+          {"torque_on_bit_N_m", spread_json(s.torque, 1.0)},
+          {"source_force_N", spread_json(s.source_force, 1.0)},
+          {"source_torque_N_m", spread_json(s.source_torque, 1.0)},
+          {"rop_m_per_h", spread_json(s.rop, m_per_h)},
+          {"static_weight_on_bit_N", s.static_weight_on_bit},
+          {"severity", s.severity},
+          {"share_at_rest", s.share_at_rest},
+          {"share_backwards", s.share_backwards},
+          {"share_off_bottom", s.share_off_bottom},
+          {"longest_stop_s", s.longest_stop},
+          {"longest_flight_s", s.longest_flight},
+          {"drilled_m", s.drilled},
+          {"energy_residual_fraction", s.energy_residual},
+          {"clamped", as_json(s.clamps)},
+          {"windows", as_json(s.draws)}};
+}
+
+nlohmann::json as_json(const studies::ComparedRuns& runs) {
+  nlohmann::json sources;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const studies::ComparedRun& run : runs[k]) {
+      list.push_back({{"seed", run.seed},
+                      {"summary", as_json(run.summary)},
+                      {"steady", run.condition.steady},
+                      {"stick_slip", run.condition.stick_slip},
+                      {"bit_bounce", run.condition.bit_bounce},
+                      {"mismatch", run.mismatch}});
+    }
+    sources[studies::source_names[k]] = list;
+  }
+  return {{"sources", sources}};
+}
+
+}  // namespace bitrock::views

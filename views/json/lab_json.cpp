@@ -1,0 +1,66 @@
+#include "views/json/lab_json.hpp"
+
+#include <cmath>
+
+namespace bitrock::views {
+
+namespace {
+
+/// A number, or null where the test does not give it.
+nlohmann::json number(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
+nlohmann::json as_json(const dem2d::LabRun& run) {
+  return {{"seed", run.seed},
+          {"discs", run.discs},
+          {"joints", run.joints},
+          {"peak_stress_Pa", run.peak_stress},
+          {"youngs_modulus_Pa", number(run.youngs_modulus)},
+          {"poissons_ratio", number(run.poissons_ratio)},
+          {"youngs_modulus_uncracked_Pa", number(run.uncracked_modulus)},
+          {"poissons_ratio_uncracked", number(run.uncracked_ratio)},
+          {"cracks_at_half_strength", run.cracks_at_half},
+          {"cracks_tensile", run.cracks_tensile},
+          {"cracks_shear", run.cracks_shear},
+          {"cracks_at_peak", run.cracks_at_peak},
+          {"crack_initiation_stress_Pa", run.crack_initiation_stress},
+          {"strain_at_peak", run.strain_at_peak},
+          {"fracture_height_fraction", number(run.fracture_height)},
+          {"imbalance_fraction", run.imbalance},
+          {"strain_rate_per_s", run.strain_rate},
+          {"step_s", run.step},
+          {"steps", run.steps},
+          {"wall_s", run.wall_time}};
+}
+
+nlohmann::json rate_json(const studies::LabResults& results) {
+  nlohmann::json peaks = nlohmann::json::array();
+  for (const dem2d::LabRun& run : results.half_rate) peaks.push_back(run.peak_stress);
+  const studies::RateCheck check = studies::rate_check_of(results);
+  return {{"peak_stress_at_half_rate_Pa", peaks},
+          {"mean_at_half_rate_Pa", check.mean_at_half_rate},
+          {"change_fraction", check.change},
+          {"allowed_fraction", studies::allowed_rate_change},
+          {"slow_enough", check.slow_enough}};
+}
+
+}  // namespace
+
+nlohmann::json runs_json(const studies::LabResults& results) {
+  nlohmann::json json{
+      {"runs", nlohmann::json::array()}, {"failures", nlohmann::json::array()}, {"not_tested", results.not_tested}};
+  for (const dem2d::LabRun& run : results.runs) json["runs"].push_back(as_json(run));
+  for (const auto& [seed, reason] : results.failures) json["failures"].push_back({{"seed", seed}, {"reason", reason}});
+  if (results.runs.empty()) return json;
+  for (const studies::LabQuantity& quantity : studies::lab_quantities()) {
+    const base::Summary summary = studies::summary_of(quantity, results.runs);
+    json["mean"][quantity.key] = number(summary.mean);
+    // the scatter of one specimen is not known
+    json["sd"][quantity.key] = summary.count > 1 ? number(summary.standard_deviation) : nlohmann::json(nullptr);
+  }
+  if (!results.half_rate.empty()) json["rate_check"] = rate_json(results);
+  return json;
+}
+
+}  // namespace bitrock::views
