@@ -19,11 +19,8 @@ std::optional<surrogate::Model> model_of(const CommonOptions& common, const std:
   }
   if (drill.source.model_file.empty()) return std::nullopt;
   surrogate::Model model = surrogate::read_model(drill.source.model_file);
-  if (!drill.rock.empty() && model.rock != drill.rock) {
-    warn(common,
-         fmt::format("the case is about the rock '{}', the model {}", drill.rock,
-                     model.rock.empty() ? "does not say of which rock it is" : fmt::format("is of '{}'", model.rock)));
-  }
+  const std::string other = runtime::other_rock(drill, model);
+  if (!other.empty()) warn(common, other);
   return model;
 }
 

@@ -4,23 +4,18 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/shipped.hpp"
 
 namespace bitrock::cli {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-constexpr const char* shipped_folder = "campaigns";
-
-}  // namespace
 
 std::optional<fs::path> data_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (error) return std::nullopt;
   const fs::path folder = (program.parent_path() / BITROCK_WAY_TO_DATA).lexically_normal();
-  if (!fs::is_directory(folder / shipped_folder, error)) return std::nullopt;
+  if (!fs::is_directory(folder / base::shipped_folder, error)) return std::nullopt;
   return folder;
 }
 
@@ -32,11 +27,7 @@ const std::set<std::string> inputs{"bit",   "case",   "data",     "model",      
 
 /// A path as the user wrote it becomes that of the shipped file, where it means one.
 std::string look_among_shipped(std::string& text) {
-  const fs::path path = fs::path(text).lexically_normal();
-  std::error_code error;
-  if (path.is_absolute() || path.empty() || *path.begin() != shipped_folder || fs::exists(path, error)) return "";
-  const std::optional<fs::path> folder = data_folder();
-  if (folder && fs::exists(*folder / path, error)) text = (*folder / path).string();
+  text = base::or_shipped(text, data_folder()).string();
   return "";
 }
 

@@ -10,12 +10,18 @@ install(EXPORT bitrock NAMESPACE bitrock:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/c
 
 # Files of a tree, each in the folder it stands in; install(DIRECTORY) would make every folder, also those that stay
 # empty. Looked up again in every build, so that a new file is not forgotten.
+# COMPONENT: for those who install a part (the Python package takes `data`).
 function(bitrock_install_tree root destination)
-  foreach(pattern ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "COMPONENT" "")
+  set(component "")
+  if(arg_COMPONENT)
+    set(component COMPONENT ${arg_COMPONENT})
+  endif()
+  foreach(pattern ${arg_UNPARSED_ARGUMENTS})
     file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${root} ${root}/${pattern})
     foreach(file ${files})
       get_filename_component(folder ${file} DIRECTORY)
-      install(FILES ${root}/${file} DESTINATION ${destination}/${folder})
+      install(FILES ${root}/${file} DESTINATION ${destination}/${folder} ${component})
     endforeach()
   endforeach()
 endfunction()
@@ -27,7 +33,7 @@ endforeach()
 # What people run, and what came of it. The program finds it from its own place (cli/shipped.hpp), so the prefix may be
 # moved; in the build folder a link stands in the same place beside the program.
 set(data ${CMAKE_INSTALL_DATADIR}/bitrock/campaigns)
-bitrock_install_tree(${PROJECT_SOURCE_DIR}/campaigns ${data} *.toml features*.csv model.json)
+bitrock_install_tree(${PROJECT_SOURCE_DIR}/campaigns ${data} *.toml features*.csv model.json COMPONENT data)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 bitrock_install_tree(${PROJECT_SOURCE_DIR}/docs ${CMAKE_INSTALL_DOCDIR}/docs *.md *.bib)
 

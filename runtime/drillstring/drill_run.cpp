@@ -156,6 +156,12 @@ DrillSource make_source(const DrillCase& drill, const std::optional<surrogate::M
   return result;
 }
 
+std::string other_rock(const DrillCase& drill, const surrogate::Model& model) {
+  if (drill.rock.empty() || model.rock == drill.rock) return "";
+  return fmt::format("the case is about the rock '{}', the model {}", drill.rock,
+                     model.rock.empty() ? "does not say of which rock it is" : fmt::format("is of '{}'", model.rock));
+}
+
 double step_of(const DrillSchedule& run) {
   return run.sample / std::ceil(run.sample / run.step * (1.0 - 1e-12));  // 10 / 0.1 is a hair above 100 in binary
 }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/progress.hpp"
@@ -72,6 +73,9 @@ struct DrillSource {
   BitRockSource load;
 };
 DrillSource make_source(const DrillCase& drill, const std::optional<surrogate::Model>& model);
+
+/// In words, when the case is about another rock than the model; empty otherwise.
+std::string other_rock(const DrillCase& drill, const surrogate::Model& model);
 
 /// Throws `InputError` when the step is too long, `SimulationError` with the time when a number is no longer finite.
 DrillRun run_drill(const DrillCase& drill, const DrillString& string, const DrillSource& source,

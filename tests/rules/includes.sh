@@ -18,6 +18,7 @@ dem2d/specimen      base dem2d/contact dem2d/step dem2d/tool
 dem2d/step          base dem2d/contact dem2d/tool
 dem2d/tool          base
 peaks               base
+python              base peaks dem2d surrogate report runtime studies views
 report              base
 runtime/bit         base peaks surrogate/net runtime/core runtime/signal
 runtime/core        base peaks surrogate/net runtime/laws runtime/signal

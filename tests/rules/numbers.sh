@@ -5,7 +5,7 @@ set -eu
 cd "$1"
 loose='(^|[^A-Za-z0-9_])([sf]?scanf|ato[fil]|strto(d|f|ld|l|ul|ll|ull)|sto(i|l|ll|ul|ull|f|d|ld)|lexical_cast|json::parse) *[(<]'
 # the C file that is exported checks the rest of its line
-found=$(grep -rnE "$loose" --include='*.cpp' --include='*.hpp' base cli dem2d peaks report runtime studies surrogate views |
+found=$(grep -rnE "$loose" --include='*.cpp' --include='*.hpp' base cli dem2d peaks python report runtime studies surrogate views |
   grep -v -e '^base/json.cpp:' -e '^surrogate/export/c_source.cpp:' || true)
 [ -z "$found" ] && exit 0
 printf '%s\n' "$found"

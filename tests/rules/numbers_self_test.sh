@@ -4,7 +4,7 @@ set -eu
 rule=$(dirname "$0")/numbers.sh
 house=$(mktemp -d)
 trap 'rm -rf "$house"' EXIT
-for module in base cli dem2d peaks report runtime studies surrogate views; do mkdir "$house/$module"; done
+for module in base cli dem2d peaks python report runtime studies surrogate views; do mkdir "$house/$module"; done
 echo 'double a = *base::number_in(text), history(1), restore(2);' >"$house/cli/good.cpp"
 "$rule" "$house"
 for bad in 'std::sscanf(text, "%d", &n);' 'x = atof(text);' 'x = std::strtod(text, nullptr);' 'x = std::stod(text);' \
