@@ -86,13 +86,12 @@ py::object rate_check(const LabResults& results) {
   return dict;
 }
 
-LabResults lab(const std::string& test, const py::object& rock, const py::object& seeds, std::optional<double> width_mm,
-               std::optional<double> height_mm, double strain_rate_per_s, double local_damping,
-               std::optional<double> platen_friction, bool check_rate, std::optional<int> jobs,
+LabResults lab(const std::string& test, const py::object& rock, const py::object& seeds, const py::object& specimen,
+               std::optional<double> width_mm, std::optional<double> height_mm, double strain_rate_per_s,
+               double local_damping, std::optional<double> platen_friction, bool check_rate, std::optional<int> jobs,
                const py::object& progress) {
   LabSeries series{.test = test_named(test),
                    .rock = read_input(rock, "rock", dem2d::read_rock, dem2d::parse_rock),
-                   .seeds = seeds_of(seeds),
                    .rate_check = check_rate};
   if (series.test == LabTest::brazilian && height_mm)
     throw base::InputError("height_mm: a Brazilian disc has its diameter only (width_mm)");
@@ -106,6 +105,14 @@ LabResults lab(const std::string& test, const py::object& rock, const py::object
   series.settings.strain_rate = strain_rate_per_s;
   series.settings.local_damping = local_damping;
   series.settings.platen_friction = platen_friction.value_or(series.settings.platen_friction);
+  if (specimen.is_none()) {
+    series.seeds = seeds_of(seeds.is_none() ? py::object(py::int_(1)) : seeds);
+  } else {
+    if (!seeds.is_none() || width_mm || height_mm)
+      throw base::InputError("specimen: it has its own seed and size (leave out seeds, width_mm, height_mm)");
+    studies::take_given(series, specimen.cast<dem2d::Specimen>());
+    warn(dem2d::warnings(*series.given));
+  }
   studies::complete(series, is_content(rock) ? "rock" : input_path(rock).string());
   warn(dem2d::warnings(series.test, series.rock, series.settings));
   LabResults results = computed(progress, {"tests", "specimens"}, [&](const base::ProgressCallback& listener) {
@@ -180,14 +187,15 @@ void bind_lab(py::module_& module) {
       });
   const dem2d::LabSettings usual;
   module.def(
-      "lab", &lab, py::arg("test"), py::arg("rock"), py::kw_only(), py::arg("seeds") = 1,
-      py::arg("width_mm") = py::none(), py::arg("height_mm") = py::none(),
+      "lab", &lab, py::arg("test"), py::arg("rock"), py::kw_only(), py::arg("seeds") = py::none(),
+      py::arg("specimen") = py::none(), py::arg("width_mm") = py::none(), py::arg("height_mm") = py::none(),
       py::arg("strain_rate_per_s") = usual.strain_rate, py::arg("local_damping") = usual.local_damping,
       py::arg("platen_friction") = py::none(), py::arg("rate_check") = false, py::arg("jobs") = py::none(),
       py::arg("progress") = py::none(),
       "Strength tests on synthetic cores, one a seed (LabResults).\n\n"
       "test: 'ucs' (uniaxial compression), 'tension' or 'brazilian'. rock: a rock file (str or path), or a dict\n"
-      "with its tables. seeds: a number, a list, or text as '1,2,5:10'. width_mm, height_mm: in place of\n"
+      "with its tables. seeds: a number, a list, or text as '1,2,5:10'; None for 1.\n"
+      "specimen: a Specimen whose discs are tested, with the joints of the rock. width_mm, height_mm: in place of\n"
       "[specimen] of the rock. strain_rate_per_s: 0 for that chosen for the rock. rate_check: also test at half\n"
       "the rate. jobs: cores tested side by side; None for all cores of the machine. progress: True for a line on\n"
       "sys.stderr, or a function of (done, total), in cores.\n"

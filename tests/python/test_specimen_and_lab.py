@@ -68,6 +68,15 @@ def test_what_makes_no_test(arguments, sentence):
     assert sentence in str(error.value)
 
 
+@pytest.mark.filterwarnings("ignore::bitrock.BitrockWarning")
+def test_a_specimen_of_ones_own():
+    core = bitrock.specimen(ROCK, seed=2, **SMALL_CORE)
+    given = bitrock.lab("tension", ROCK, specimen=core).runs[0]
+    assert given.peak_stress_Pa == bitrock.lab("tension", ROCK, seeds=2, **SMALL_CORE).runs[0].peak_stress_Pa
+    with pytest.raises(bitrock.InputError, match="it has its own seed and size"):
+        bitrock.lab("tension", ROCK, specimen=core, seeds=1)
+
+
 def test_seeds_are_whole_numbers():
     with pytest.raises(TypeError, match=r"seeds: 1.5 \(must be whole numbers\)"):
         bitrock.lab("ucs", ROCK, seeds=[1, 1.5])
