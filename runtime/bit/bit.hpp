@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/config.hpp"
-#include "runtime/signal/peak_window.hpp"
+#include "runtime/signal/settings.hpp"
 
 namespace bitrock::runtime {
 
