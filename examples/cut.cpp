@@ -22,8 +22,8 @@ void cut_rock(const char* rock_file) {
   cut.cutter_speed = 2.0;     // [m/s]
   cut.depth_of_cut = 1.5e-3;  // [m]
   cut.back_rake = 0.2618;     // [rad] 15 degrees
-  cut.cut_length = 6e-3;      // [m]
-  cut.bed_length = 16e-3;
+  cut.cut_length = 12e-3;     // [m]
+  cut.bed_length = 24e-3;
   cut.bed_height = 8e-3;
   dem2d::check_cut_case(cut, "my cut");
 

@@ -4,7 +4,8 @@
 //   cmake -S examples -B build/examples -DCMAKE_PREFIX_PATH=PREFIX -DEXAMPLES=own_discs && cmake --build build/examples
 //   build/examples/own_discs
 //
-// Prints Young's modulus and Poisson's ratio of the endless lattice and of the core, and how the core breaks.
+// Prints Young's modulus and Poisson's ratio of the endless lattice and of the core before its first crack, and how the
+// core breaks.
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -54,8 +55,8 @@ void squeeze() {
   const double c11 = s * (3.0 + soft), c12 = s * (1.0 - soft);
   std::printf("core             %d discs, %d joints\n", run.discs, run.joints);
   std::printf("Young's modulus  lattice %.3f GPa, core %.3f GPa\n", (c11 - c12 * c12 / c11) / 1e9,
-              run.youngs_modulus / 1e9);
-  std::printf("Poisson's ratio  lattice %.3f, core %.3f\n", c12 / c11, run.poissons_ratio);
+              run.uncracked_modulus / 1e9);
+  std::printf("Poisson's ratio  lattice %.3f, core %.3f\n", c12 / c11, run.uncracked_ratio);
   std::printf("strength         %.1f MPa, cracks: %d in tension, %d in shear\n", run.peak_stress / 1e6,
               run.cracks_tensile, run.cracks_shear);
 }
