@@ -2,7 +2,7 @@
 # find_package(bitrock COMPONENTS ...) asks for what the components need and nothing else.
 #   components.sh PREFIX CMAKE EXAMPLES   (the folder of the examples, of which `peaks` is the user of one component)
 set -euo pipefail
-prefix=$1
+prefix=$(cd "$1" && pwd)
 cmake=$2
 examples=$3
 scratch=$(mktemp -d)

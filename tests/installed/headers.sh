@@ -2,7 +2,7 @@
 # Compiles every installed header alone, with nothing else of bitrock's source at hand: each brings along what it needs.
 #   headers.sh PREFIX CXX...
 set -euo pipefail
-prefix=$1
+prefix=$(cd "$1" && pwd)
 shift
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
