@@ -6,18 +6,16 @@
 #include <stdexcept>
 #include <string>
 
-#include "base/text.hpp"
-
 namespace bitrock::base {
 
 /// The user's input is wrong: a file, a key, a flag. Exit status 2.
 struct InputError : std::runtime_error {
-  explicit InputError(const std::string& message) : std::runtime_error(printable(message)) {}
+  explicit InputError(const std::string& message);
 };
 
 /// The computation failed although the input was acceptable: not a number, no convergence, disk full. Exit status 3.
 struct SimulationError : std::runtime_error {
-  explicit SimulationError(const std::string& message) : std::runtime_error(printable(message)) {}
+  explicit SimulationError(const std::string& message);
 };
 
 /// A result could not be written: disk full, folder gone. No further result could be either. Exit status 3.

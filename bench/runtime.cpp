@@ -19,7 +19,9 @@
 #include "base/random.hpp"
 #include "base/thread_time.hpp"
 #include "runtime/bit/bit_force.hpp"
+#include "runtime/bit/core_description.hpp"
 #include "runtime/core/conditions.hpp"
+#include "surrogate/net/layers.hpp"
 #include "surrogate/net/model_file.hpp"
 
 using namespace bitrock;

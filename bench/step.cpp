@@ -19,6 +19,7 @@
 #include "base/files.hpp"
 #include "base/thread_time.hpp"
 #include "bench/scenes.hpp"
+#include "dem2d/step/stages.hpp"
 
 using namespace bitrock;
 

@@ -3,6 +3,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/hdf5_file.hpp"
 #include "base/temporary_folder.hpp"
 #include "cli/command.hpp"
 #include "views/cut/animation.hpp"

@@ -98,6 +98,8 @@ void add_report(CLI::App& app);
 void add_snapshot(CLI::App& app);
 void add_animate(CLI::App& app);
 void add_export(CLI::App& app);
+/// `export bit`.
+void add_export_bit(CLI::App& export_command);
 /// `export config`.
 void add_export_config(CLI::App& export_command);
 /// `export c`, `export matlab` and `export onnx`.

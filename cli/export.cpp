@@ -3,6 +3,7 @@
 // a result in export_config.cpp.
 #include <memory>
 
+#include "base/hdf5_file.hpp"
 #include "cli/command.hpp"
 #include "views/cut/vtk_series.hpp"
 
@@ -50,6 +51,7 @@ void add_export(CLI::App& app) {
       ->check(not_empty());
   add_common(*vtk, options->common);
   vtk->callback([options] { export_vtk(*options); });
+  add_export_bit(*command);
   add_export_config(*command);
   add_export_model(*command);
   add_export_fmu(*command);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/files.hpp"
+#include "base/hdf5_file.hpp"
 #include "cli/command.hpp"
 #include "dem2d/files/frame_file.hpp"
 

@@ -1,12 +1,30 @@
-# `cmake --install` gives the program, the headers and a package that other projects find with find_package(bitrock).
+# `cmake --install` gives the program, what it ships, and a package that other projects find with
+# find_package(bitrock COMPONENTS ...): the libraries that have public headers, and these headers.
 include(CMakePackageConfigHelpers)
-include(GNUInstallDirs)
 
-get_property(modules GLOBAL PROPERTY bitrock_modules)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/bitrock)
 install(TARGETS bitrock RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS ${modules} EXPORT bitrock ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS bitrock_runtime_shared EXPORT bitrock LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(EXPORT bitrock NAMESPACE bitrock:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/bitrock)
+
+# One file a component, so that nothing is asked for that nobody uses.
+get_property(components GLOBAL PROPERTY bitrock_components)
+foreach(name ${components})
+  get_property(target GLOBAL PROPERTY bitrock_target_of_${name})
+  get_property(modules GLOBAL PROPERTY bitrock_modules_of_${name})
+  get_property(packages GLOBAL PROPERTY bitrock_packages_of_${name})
+  install(TARGETS ${target} EXPORT bitrock_${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS DESTINATION ${BITROCK_INCLUDE_DIR})
+  install(EXPORT bitrock_${name} FILE bitrock-${name}-targets.cmake NAMESPACE bitrock:: DESTINATION ${package_dir})
+  set(needs "")
+  foreach(module ${modules})
+    string(APPEND needs "include(\"\${CMAKE_CURRENT_LIST_DIR}/bitrock-${module}.cmake\")\n"
+                        "if(NOT bitrock_${module}_FOUND)\n  return()\nendif()\n")
+  endforeach()
+  foreach(package ${packages})
+    string(APPEND needs "find_dependency(${package})\n")
+  endforeach()
+  configure_file(cmake/component.cmake.in ${PROJECT_BINARY_DIR}/package/bitrock-${name}.cmake @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/package/bitrock-${name}.cmake DESTINATION ${package_dir})
+endforeach()
 
 # Files of a tree, each in the folder it stands in; install(DIRECTORY) would make every folder, also those that stay
 # empty. Looked up again in every build, so that a new file is not forgotten.
@@ -26,19 +44,18 @@ function(bitrock_install_tree root destination)
   endforeach()
 endfunction()
 
-foreach(module base dem2d peaks surrogate runtime report studies views)
-  bitrock_install_tree(${PROJECT_SOURCE_DIR}/${module} include/bitrock/${module} *.hpp *.h)
-endforeach()
-
 # What people run, and what came of it. The program finds it from its own place (cli/shipped.hpp), so the prefix may be
 # moved; in the build folder a link stands in the same place beside the program.
-set(data ${CMAKE_INSTALL_DATADIR}/bitrock/campaigns)
-bitrock_install_tree(${PROJECT_SOURCE_DIR}/campaigns ${data} *.toml features*.csv model.json COMPONENT data)
+set(BITROCK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/bitrock)
+bitrock_install_tree(${PROJECT_SOURCE_DIR}/campaigns ${BITROCK_DATA_DIR}/campaigns *.toml features*.csv model.json COMPONENT data)
+bitrock_install_tree(${PROJECT_SOURCE_DIR}/examples ${CMAKE_INSTALL_DOCDIR}/examples *.txt *.md *.c *.cpp *.csv *.toml *.py)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 bitrock_install_tree(${PROJECT_SOURCE_DIR}/docs ${CMAKE_INSTALL_DOCDIR}/docs *.md *.bib)
 
-configure_package_config_file(cmake/bitrock-config.cmake.in ${PROJECT_BINARY_DIR}/bitrock-config.cmake
-                              INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/bitrock)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/bitrock-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/bitrock-config.cmake ${PROJECT_BINARY_DIR}/bitrock-config-version.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/bitrock)
+list(JOIN components " " components)
+configure_package_config_file(cmake/bitrock-config.cmake.in ${PROJECT_BINARY_DIR}/package/bitrock-config.cmake
+                              INSTALL_DESTINATION ${package_dir} PATH_VARS BITROCK_DATA_DIR)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/bitrock-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/package/bitrock-config.cmake
+              ${PROJECT_BINARY_DIR}/package/bitrock-config-version.cmake DESTINATION ${package_dir})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dem2d/cut/window.hpp"
 #include "dem2d/specimen/pieces.hpp"
 
 namespace bitrock::dem2d {

@@ -3,10 +3,11 @@
 
 #include <vector>
 
-#include "dem2d/cut/window.hpp"
 #include "dem2d/step/world.hpp"
 
 namespace bitrock::dem2d {
+
+struct Window;  // window.hpp
 
 /// All discs at one instant.
 struct Frame {

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/hdf5_file.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "dem2d/files/frame_file.hpp"

@@ -6,8 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "base/hdf5_file.hpp"
 #include "dem2d/cut/run_cut.hpp"
+
+namespace bitrock::base {
+class Hdf5Reader;
+}
 
 namespace bitrock::dem2d {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dem2d/step/pair_motion.hpp"
-#include "dem2d/step/step.hpp"
+#include "dem2d/step/stages.hpp"
 
 namespace bitrock::dem2d {
 

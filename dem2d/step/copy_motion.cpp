@@ -1,5 +1,5 @@
 // How discs are placed and move, side by side for the joints (World::motion).
-#include "dem2d/step/step.hpp"
+#include "dem2d/step/stages.hpp"
 
 namespace bitrock::dem2d {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "dem2d/step/step.hpp"
+#include "dem2d/step/stages.hpp"
 
 // clang-format off: the order matters
 #undef HWY_TARGET_INCLUDE

@@ -7,7 +7,7 @@
 #include "dem2d/contact/flat_joint_energy.hpp"
 #include "dem2d/step/damaged_joints.hpp"
 #include "dem2d/step/pair_motion.hpp"
-#include "dem2d/step/step.hpp"
+#include "dem2d/step/stages.hpp"
 #include "dem2d/step/whole_joints.hpp"
 
 namespace bitrock::dem2d {

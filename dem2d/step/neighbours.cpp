@@ -8,6 +8,7 @@
 #include "dem2d/step/energy.hpp"
 #include "dem2d/step/pairs.hpp"
 #include "dem2d/step/removal.hpp"
+#include "dem2d/step/stages.hpp"
 #include "dem2d/step/step.hpp"
 
 namespace bitrock::dem2d {

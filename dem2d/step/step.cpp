@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "dem2d/step/stages.hpp"
 
 namespace bitrock::dem2d {
 

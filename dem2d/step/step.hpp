@@ -1,5 +1,6 @@
 #pragma once
-/// One step of the engine, as a geologist would tell it. Each stage is one function; the order is the physics.
+/// One step of the engine, as a geologist would tell it. Each of its stages is one function (stages.hpp); the order is
+/// the physics.
 ///
 /// Integration is the central-difference (leap-frog) scheme [CundallStrack1979]:
 ///
@@ -8,7 +9,6 @@
 /// and likewise for spin and angle with moment and inertia. Local damping [Cundall1987] takes alpha |F| off every
 /// component of the unbalanced force, against the velocity: F <- F - alpha |F| sign(v).
 
-#include "dem2d/step/share.hpp"
 #include "dem2d/step/world.hpp"
 
 namespace bitrock::dem2d {
@@ -20,17 +20,6 @@ void advance(World& world);
 /// energies (step/energy.hpp).
 void find_forces(World& world);
 void move(World& world);
-
-// The stages of `find_forces`, in their order. A thread of a team calls each with its share of the work.
-void refresh_neighbours(World& world);                       ///< neighbours.cpp; not for teams
-void copy_motion(World& world, const Share& share = {});     ///< copy_motion.cpp; before joint_forces of any thread
-void joint_forces(World& world, const Share& share = {});    ///< joint_forces.cpp
-void contact_forces(World& world, const Share& share = {});  ///< contact_forces.cpp
-void boundary_forces(World& world);                          ///< contact_forces.cpp; one thread of a team
-void sum_forces(World& world, const Share& share = {});      ///< sum_forces.cpp, after all of the others
-
-/// The stage of `move`, before boundaries move and cracks are collected.
-void integrate(World& world, const Share& share = {});  ///< integrate.cpp
 
 /// Share of the longest stable step that is taken [ItascaPFC], and the longest allowed; see `critical_step` [1].
 inline constexpr double usual_step_factor = 0.8, longest_step_factor = 1.0;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "dem2d/step/step.hpp"
+#include "dem2d/step/stages.hpp"
 
 // clang-format off: the order matters
 #undef HWY_TARGET_INCLUDE

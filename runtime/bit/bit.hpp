@@ -8,7 +8,7 @@
 
 #include "base/config.hpp"
 #include "base/config_rows.hpp"
-#include "runtime/signal/peak_window.hpp"
+#include "runtime/signal/settings.hpp"
 
 namespace bitrock::runtime {
 

@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "runtime/bit/bit.hpp"
-#include "runtime/core/bitrock_runtime.h"
-#include "runtime/core/conditions.hpp"
-#include "runtime/core/core.hpp"
-#include "runtime/signal/cutter_force.hpp"
+#include "runtime/signal/tallies.hpp"
 #include "surrogate/net/model.hpp"
 
 namespace bitrock::runtime {
+
+struct Core;  // core/core.hpp
 
 /// Motion of the bit at one instant. Rates are best smoothed over 0.1 s or so [BitRock2026, sec. 3.3].
 struct BitMotion {
@@ -29,16 +28,6 @@ struct BitLoad {
   double axial_force = 0.0;  ///< [N] pushes the bit off the rock
   double torque = 0.0;       ///< [N m] resists its rotation
 };
-
-/// The description of a core, with the storage its pointers need.
-struct CoreDescription {
-  std::vector<bitrock_cutter> cutters;
-  std::vector<std::vector<std::int32_t>> layers;  ///< of each output
-  bitrock_description plain{};                    ///< points into `cutters`, `layers` and the model
-};
-
-/// A bit and a model as plain numbers. The model must outlive the description. Averages are over 0.1 s.
-CoreDescription describe(const Bit& bit, const surrogate::Model& model);
 
 /// One object per thread. A copy goes on from where the original is.
 class BitForce {
@@ -68,8 +57,8 @@ class BitForce {
   void restore(std::span<const std::byte> state);
 
  private:
-  Core& core() { return *reinterpret_cast<Core*>(memory_.data()); }
-  const Core& core() const { return *reinterpret_cast<const Core*>(memory_.data()); }
+  Core& core();
+  const Core& core() const;
 
   std::vector<double> memory_;  ///< the core's bytes; doubles, so that they begin where they must
 };

@@ -7,33 +7,10 @@
 #include <numbers>
 
 #include "runtime/signal/peak_statistics.hpp"
+#include "runtime/signal/tallies.hpp"
 #include "surrogate/net/evaluation.hpp"
 
 namespace bitrock::runtime {
-
-/// How often the network was asked outside its training range and answered for the nearest edge instead. One count a
-/// question and reason; a question is asked per cutter and window.
-struct ClampTally {
-  std::int64_t asked = 0;
-  std::int64_t speed_below = 0, speed_above = 0;
-  std::int64_t depth_below = 0, depth_above = 0;
-  std::int64_t rake_below = 0, rake_above = 0;
-
-  std::int64_t clamped() const {
-    return speed_below + speed_above + depth_below + depth_above + rake_below + rake_above;
-  }
-  /// Adds the counts of another bit or run.
-  ClampTally& operator+=(const ClampTally& other) {
-    asked += other.asked;
-    speed_below += other.speed_below;
-    speed_above += other.speed_above;
-    depth_below += other.depth_below;
-    depth_above += other.depth_above;
-    rake_below += other.rake_below;
-    rake_above += other.rake_above;
-    return *this;
-  }
-};
 
 /// A bit turning slower than this is taken to turn at it when depth of cut and cutter speed are asked for: 0.6 rpm. It
 /// keeps ROP / N finite while a bit sticks, when its angle, and so its force, stands still anyway. Larger values would

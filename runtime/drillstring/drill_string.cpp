@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "runtime/laws/karnopp.hpp"
 #include "runtime/laws/progression_angle.hpp"
 #include "runtime/signal/step5.hpp"
 

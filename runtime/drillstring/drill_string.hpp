@@ -8,7 +8,6 @@
 #include "runtime/drillstring/excitation.hpp"
 #include "runtime/laws/fracture_spring.hpp"
 #include "runtime/laws/friction.hpp"
-#include "runtime/laws/karnopp.hpp"
 #include "runtime/laws/moving_average.hpp"
 #include "runtime/laws/rate_of_penetration.hpp"
 #include "runtime/laws/rock_contact.hpp"

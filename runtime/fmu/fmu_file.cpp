@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "base/zip.hpp"
 #include "runtime/bit/bit_force.hpp"
+#include "runtime/bit/core_description.hpp"
 #include "runtime/fmu/bit_block.hpp"
 #include "runtime/fmu/libraries.hpp"
 #include "runtime/fmu/variables.hpp"

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "runtime/bit/bit_force.hpp"
+#include "runtime/bit/core_description.hpp"
 #include "runtime/fmu/fmu_file.hpp"
 #include "runtime/fmu/variables.hpp"
 

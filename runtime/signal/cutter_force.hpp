@@ -9,19 +9,9 @@
 #include <limits>
 
 #include "runtime/signal/peak_window.hpp"
+#include "runtime/signal/tallies.hpp"
 
 namespace bitrock::runtime {
-
-/// How often the wishes of the statistics could not be granted. Counted per window and component.
-struct DrawTally {
-  std::int64_t drawn = 0;        ///< windows drawn with at least one peak
-  std::int64_t mean_missed = 0;  ///< mean height other than amean (band-preserving: over all windows of the statistics)
-  std::int64_t band_left = 0;    ///< peaks outside their band (article's scaling only)
-  std::int64_t narrowed = 0;     ///< pulses as wide as a window that should be wider: less than f / 2 peaks expected
-  std::int64_t capped = 0;       ///< more than `largest_peak_count` peaks asked for
-
-  void add(const DrawTally& other);
-};
 
 /// Windows k-1, k and k+1 can be felt in window k; the fourth place keeps k-2, so that a solver which takes back a step
 /// over an edge finds what it left.

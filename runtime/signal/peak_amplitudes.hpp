@@ -7,13 +7,9 @@
 
 #include "runtime/signal/peak_counts.hpp"
 #include "runtime/signal/peak_statistics.hpp"
+#include "runtime/signal/settings.hpp"
 
 namespace bitrock::runtime {
-
-enum class AmplitudeFit {
-  band_preserving,  ///< every peak stays in its band; the default
-  article,          ///< the printed scaling, which may leave bands, exceed amax or turn negative
-};
 
 /// What became of the three wishes: largest peak amax, mean peak amean, counts per band.
 struct FitOutcome {

@@ -7,16 +7,9 @@
 #include "runtime/signal/peak_counts.hpp"
 #include "runtime/signal/peak_statistics.hpp"
 #include "runtime/signal/pulse_train.hpp"
+#include "runtime/signal/settings.hpp"
 
 namespace bitrock::runtime {
-
-struct SignalSettings {
-  double window_angle = 0.0;        ///< [rad] theta_T, above 0
-  double pulse_width_factor = 1.0;  ///< [1] f, above 0 and at most 2: pulses reach no further than one window away
-  Combine combine = Combine::sum;
-  AmplitudeFit amplitude_fit = AmplitudeFit::band_preserving;
-  std::uint64_t seed = 0;  ///< of all draws
-};
 
 /// One component of a drawn window.
 struct ComponentDraw {

@@ -9,6 +9,7 @@
 
 #include "runtime/signal/fixed_list.hpp"
 #include "runtime/signal/peak_counts.hpp"
+#include "runtime/signal/settings.hpp"
 
 namespace bitrock::runtime {
 
@@ -16,11 +17,6 @@ namespace bitrock::runtime {
 struct ForcePerMetre {
   double x = 0.0;  ///< [N/m] cutting direction, resistance positive
   double y = 0.0;  ///< [N/m] axial direction, push out of the rock positive
-};
-
-enum class Combine {
-  sum,  ///< overlapping pulses add up: keeps the area under the force, may exceed amax; the default
-  max,  ///< the highest of the overlapping pulses: never exceeds amax, loses area
 };
 
 /// A peak with its shape (`unit_pulse` of step5.hpp) in both components, felt for begin < angle < end.

@@ -7,6 +7,7 @@
 
 #include "surrogate/export/columns.hpp"
 #include "surrogate/export/source_text.hpp"
+#include "surrogate/net/layers.hpp"
 
 namespace bitrock::surrogate {
 

@@ -12,6 +12,7 @@
 #include "base/errors.hpp"
 #include "base/version.hpp"
 #include "surrogate/export/columns.hpp"
+#include "surrogate/net/layers.hpp"
 
 namespace bitrock::surrogate {
 

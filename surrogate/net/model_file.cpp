@@ -10,6 +10,7 @@
 #include "base/files.hpp"
 #include "base/json.hpp"
 #include "surrogate/net/json_place.hpp"
+#include "surrogate/net/layers.hpp"
 
 namespace bitrock::surrogate {
 

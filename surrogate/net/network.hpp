@@ -2,9 +2,8 @@
 /// A small dense network with rectified linear units. It exists because the surrogate needs nothing more, and because
 /// a real-time caller needs a forward pass that takes no memory. All parameters lie in ONE flat vector, so saving,
 /// copying, exporting and optimising are each one loop. It knows nothing of units and scaling (`model.hpp`), files
-/// (`model_file.hpp`) or learning (`surrogate/train/`).
+/// (`model_file.hpp`), layers as matrices (`layers.hpp`) or learning (`surrogate/train/`).
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -12,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "base/random.hpp"
 #include "surrogate/net/evaluation.hpp"
 
 namespace bitrock::surrogate {
@@ -36,31 +34,6 @@ std::string layers_problem(std::span<const int> layers);
 
 /// Sum over k of n[k] (n[k-1] + 1). 71 for 3-4-6-3-1.
 std::size_t parameter_count(std::span<const int> layers);
-
-using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// One layer seen inside the flat vector.
-struct Layer {
-  Eigen::Map<const RowMajorMatrix> weights;  ///< W[k] (n[k] x n[k-1])
-  Eigen::Map<const Eigen::VectorXd> biases;  ///< b[k] (n[k])
-};
-
-/// Layer k of K, k = 1..K. The maps live as long as the network's parameters do not move.
-Layer layer(const Network& network, int k);
-
-/// First place of layer k in the flat vector.
-std::size_t layer_offset(std::span<const int> layers, int k);
-
-/// **What** Random start for rectified units: keeps the size of signals from layer to layer.
-/// **Equation** W[k] ~ N(0, 2 / n[k-1]), b[k] = 0.
-/// **Source** [HeEtAl2015]. The article does not name its initialiser; Keras' default differs (uniform,
-/// scaled for symmetric units).
-/// Sizes `parameters` to the layers; draws in the order of the flat vector. Throws `InputError` for layers that
-/// `layers_problem` refuses.
-void initialise(Network& network, base::Random& random);
-
-/// df/dz where f(z) = `activated`: the slope follows from the value. At the kink of the rectifier 0, as Keras has it.
-double activation_slope(OutputActivation output, double activated);
 
 /// "rectified", "softplus", "linear": the names in files and flags.
 std::string_view name_of(OutputActivation output);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "surrogate/net/layers.hpp"
+
 namespace bitrock::surrogate {
 
 namespace {

@@ -11,6 +11,7 @@
 #include "base/errors.hpp"
 #include "base/random.hpp"
 #include "base/stop.hpp"
+#include "surrogate/net/layers.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/adam.hpp"
 

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/bit/constant_speed.hpp"
+#include "runtime/bit/core_description.hpp"
 #include "runtime/fmu/fmu_file.hpp"
 #include "runtime/laws/progression_angle.hpp"
 #include "surrogate/net/model_file.hpp"

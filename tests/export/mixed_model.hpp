@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "surrogate/net/layers.hpp"
 #include "surrogate/net/model.hpp"
 
 using namespace bitrock;

@@ -1,5 +1,6 @@
 // Results in HDF5, as somebody who knows the checksum could make them.
 #include "base/files.hpp"
+#include "base/hdf5_file.hpp"
 #include "base/text.hpp"
 #include "dem2d/files/frame_file.hpp"
 #include "dem2d/files/run_file.hpp"

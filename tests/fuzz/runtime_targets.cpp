@@ -6,6 +6,7 @@
 #include "base/random.hpp"
 #include "base/text.hpp"
 #include "runtime/bit/bit_force.hpp"
+#include "runtime/bit/core_description.hpp"
 #include "runtime/core/bitrock_runtime.h"
 #include "runtime/fmu/bit_slave.hpp"
 #include "runtime/fmu/fmu_file.hpp"

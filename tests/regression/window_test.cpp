@@ -8,9 +8,11 @@
 #include <tuple>
 
 #include "dem2d/cut/run_cut.hpp"
+#include "dem2d/cut/window.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/specimen/order.hpp"
 #include "dem2d/step/neighbours.hpp"
+#include "dem2d/step/stages.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/small_cuts.hpp"
 #include "tests/unit/small_worlds.hpp"

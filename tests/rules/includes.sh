@@ -26,6 +26,7 @@ runtime/drillstring base peaks surrogate/net runtime/bit runtime/core runtime/la
 runtime/fmu         base surrogate/net runtime/bit runtime/core runtime/laws
 runtime/laws        base
 runtime/signal      base peaks
+runtime/source      surrogate/export surrogate/net runtime/bit runtime/core
 studies             base peaks dem2d surrogate report runtime
 surrogate/export    base peaks surrogate/net
 surrogate/net       base peaks

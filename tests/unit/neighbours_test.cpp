@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/random.hpp"
 #include "dem2d/specimen/pieces.hpp"
+#include "dem2d/step/stages.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "runtime/bit/bit_force.hpp"
+#include "runtime/bit/core_description.hpp"
 #include "tests/allocations.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 

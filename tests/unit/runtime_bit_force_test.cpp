@@ -11,6 +11,8 @@
 #include "base/errors.hpp"
 #include "base/stop.hpp"
 #include "runtime/bit/constant_speed.hpp"
+#include "runtime/core/conditions.hpp"
+#include "runtime/signal/cutter_force.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
 using namespace bitrock;

@@ -11,7 +11,9 @@
 
 #include "base/random.hpp"
 #include "runtime/bit/bit_force.hpp"
+#include "runtime/bit/core_description.hpp"
 #include "runtime/core/core.hpp"
+#include "surrogate/net/layers.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
 using namespace bitrock;

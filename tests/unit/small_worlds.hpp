@@ -5,6 +5,7 @@
 
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/pairs.hpp"
+#include "dem2d/step/stages.hpp"
 #include "dem2d/step/step.hpp"
 #include "dem2d/step/world.hpp"
 

@@ -13,6 +13,7 @@
 #include "base/child_process.hpp"
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/random.hpp"
 #include "surrogate/export/c_source.hpp"
 #include "surrogate/export/columns.hpp"
 #include "surrogate/export/matlab_source.hpp"

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.hpp"
+#include "surrogate/net/layers.hpp"
+
 using namespace bitrock;
 
 namespace {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.hpp"
+#include "surrogate/net/layers.hpp"
 #include "tests/unit/surrogate_fixture.hpp"
 
 using namespace bitrock;

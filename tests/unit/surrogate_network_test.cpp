@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "base/errors.hpp"
+#include "base/random.hpp"
+#include "surrogate/net/layers.hpp"
 
 using namespace bitrock;
 

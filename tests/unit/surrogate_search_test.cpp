@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/random.hpp"
 #include "surrogate/train/baseline.hpp"
 #include "tests/unit/surrogate_fixture.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.hpp"
 #include "base/stop.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/parity.hpp"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dem2d/cut/run_cut.hpp"
+#include "dem2d/step/stages.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "dem2d/cut/run_cut.hpp"
 #include "dem2d/step/energy.hpp"
+#include "dem2d/step/stages.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"

@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/hdf5_file.hpp"
 #include "base/numbered_files.hpp"
 #include "base/stop.hpp"
 #include "base/unfinished.hpp"

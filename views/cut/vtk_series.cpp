@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/files.hpp"
+#include "base/hdf5_file.hpp"
 #include "base/numbered_files.hpp"
 #include "base/stop.hpp"
 #include "base/unfinished.hpp"

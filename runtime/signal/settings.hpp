@@ -1,0 +1,27 @@
+#pragma once
+/// How a force history is rebuilt from its statistics: what the file of a bit says of its signal.
+
+#include <cstdint>
+
+namespace bitrock::runtime {
+
+enum class Combine {
+  sum,  ///< overlapping pulses add up: keeps the area under the force, may exceed amax; the default
+  max,  ///< the highest of the overlapping pulses: never exceeds amax, loses area
+};
+
+/// Two ways of bringing the heights of a window to their mean; see `draw_amplitudes` in peak_amplitudes.hpp.
+enum class AmplitudeFit {
+  band_preserving,  ///< every peak stays in its band; the default
+  article,          ///< the printed scaling, which may leave bands, exceed amax or turn negative
+};
+
+struct SignalSettings {
+  double window_angle = 0.0;        ///< [rad] theta_T, above 0
+  double pulse_width_factor = 1.0;  ///< [1] f, above 0 and at most 2: pulses reach no further than one window away
+  Combine combine = Combine::sum;
+  AmplitudeFit amplitude_fit = AmplitudeFit::band_preserving;
+  std::uint64_t seed = 0;  ///< of all draws
+};
+
+}  // namespace bitrock::runtime
