@@ -71,7 +71,7 @@ endfunction()
 
 function(bitrock_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "OBJECTS" "" "SOURCES;HEADERS;LINKS;PRIVATE_LINKS")
-  if(arg_OBJECTS)
+  if(arg_OBJECTS OR NOT arg_HEADERS)  # without public headers: part of the program, not installed
     set(kind STATIC)
   endif()
   add_library(bitrock_${name} ${kind} ${arg_SOURCES})  # others: as BUILD_SHARED_LIBS says

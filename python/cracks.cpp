@@ -14,7 +14,10 @@ struct Row {
 }  // namespace
 
 py::array cracks_array(const std::vector<dem2d::Crack>& cracks) {
-  PYBIND11_NUMPY_DTYPE(Row, time_s, x_m, y_m, normal_angle_rad, length_m, mode, disc_1, disc_2);
+  [[maybe_unused]] static const bool known_to_numpy = [] {  // numpy refuses to be told twice
+    PYBIND11_NUMPY_DTYPE(Row, time_s, x_m, y_m, normal_angle_rad, length_m, mode, disc_1, disc_2);
+    return true;
+  }();
   py::array_t<Row> rows(static_cast<py::ssize_t>(cracks.size()));
   Row* row = rows.mutable_data();
   for (const dem2d::Crack& c : cracks)
