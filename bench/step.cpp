@@ -166,7 +166,7 @@ void print_shares(const std::string& scene, const dem2d::World& world, int steps
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   std::string json_file;
   std::vector<int> sizes{5000, 20000, 80000};
   for (int k = 1; k < argc; ++k) {

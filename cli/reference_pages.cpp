@@ -118,7 +118,8 @@ void print_arrays(const std::string& path) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+// A fault here is one of the build, and may end the program.
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   const std::string_view page = argc > 1 ? argv[1] : "";
   if (page == "keys" && argc == 2) {
     print_all_keys();
