@@ -61,14 +61,14 @@ struct DataPart {
 };
 
 struct Provenance {
-  std::string data_file;            ///< file name without folder
-  std::string data_fingerprint;     ///< `base::fingerprint_text` of the file
+  std::string data_file;             ///< file name without folder
+  std::string data_fingerprint;      ///< `base::fingerprint_text` of the file
   std::vector<DataPart> data_parts;  ///< when it was several files; then the two above speak of all together
-  std::string initial_fingerprint;  ///< of the model file a warm start began from; empty: a random start
-  std::uint64_t seed = 0;           ///< of initial weights and batch order
-  std::uint64_t split_seed = 0;     ///< of the choice of test cases
-  double split = 0.0;               ///< fraction of the cases used for training
-  bool shuffle = true;              ///< false: file order, the last cases are the test set
+  std::string initial_fingerprint;   ///< of the model file a warm start began from; empty: a random start
+  std::uint64_t seed = 0;            ///< of initial weights and batch order
+  std::uint64_t split_seed = 0;      ///< of the choice of test cases
+  double split = 0.0;                ///< fraction of the cases used for training
+  bool shuffle = true;               ///< false: file order, the last cases are the test set
   int epochs = 0;
   int batch = 0;                      ///< rows a step
   double learning_rate = 0.0;         ///< [1]

@@ -65,7 +65,7 @@ studies::CalibrationTarget article() {
 
 studies::Calibration run(ModelRock& rock, const studies::CalibrationTarget& target, bool friction = false) {
   return studies::calibrate(target, {.friction = friction},
-                          [&rock](const Micro& micro, int seeds) { return rock.evaluate(micro, seeds); });
+                            [&rock](const Micro& micro, int seeds) { return rock.evaluate(micro, seeds); });
 }
 
 /// Largest error over the tolerance, of what the formula gives without noise.

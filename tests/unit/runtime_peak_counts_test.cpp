@@ -47,7 +47,8 @@ TEST(PeakCounts, LessThanOnePeakExpectedIsOnePeakInSomeWindows) {
   for (const std::uint64_t seed : {1u, 2u, 3u}) {
     double n1 = 0.0, n23 = 0.0, n4 = 0.0;
     for (int k = 0; k < windows; ++k) {
-      const runtime::PeakCounts counts = runtime::count_peaks(statistics, 0.015, {.seed = seed, .cutter = 1, .window = k});
+      const runtime::PeakCounts counts =
+          runtime::count_peaks(statistics, 0.015, {.seed = seed, .cutter = 1, .window = k});
       ASSERT_LE(counts.total(), 1);
       n1 += counts.n1, n23 += counts.n23, n4 += counts.n4;
     }
