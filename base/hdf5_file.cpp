@@ -17,13 +17,15 @@ namespace bitrock::base {
 
 namespace {
 
-/// One lock guards every call into the library, whether or not it was built thread-safe. HDF5 prints its error stack by
-/// default, a setting of each thread; our messages come from exceptions instead.
-std::recursive_mutex& library() {
+/// One lock guards every call into the library, whether or not it was built thread-safe: also the first of a thread, as
+/// the library sets itself up in it. HDF5 prints its error stack by default, a setting of each thread; our messages come
+/// from exceptions instead.
+[[nodiscard]] std::unique_lock<std::recursive_mutex> library() {
   static std::recursive_mutex mutex;
+  std::unique_lock lock(mutex);
   thread_local const bool silenced = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   static_cast<void>(silenced);
-  return mutex;
+  return lock;
 }
 
 hid_t require(hid_t id, const char* what) {
@@ -115,13 +117,13 @@ Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
 
 void Hdf5Handle::reset() {
   if (id_ < 0) return;
-  const std::lock_guard lock(library());
+  const auto lock = library();
   close_(id_);
   id_ = -1;
 }
 
 Hdf5Writer::Hdf5Writer() {
-  const std::lock_guard lock(library());
+  const auto lock = library();
   const Hdf5Handle access(require(H5Pcreate(H5P_FILE_ACCESS), "make a property list"), H5Pclose);
   constexpr std::size_t growth = 1 << 20;  // memory is taken in steps of 1 MiB
   require_ok(H5Pset_fapl_core(access.id(), growth, false), "keep a file in memory");
@@ -135,7 +137,7 @@ Hdf5Writer::Hdf5Writer() {
 
 void Hdf5Writer::write_array(const std::string& path, const void* values, std::size_t count, Hdf5Kind kind,
                              const std::string& units, const std::string& meaning) {
-  const std::lock_guard lock(library());
+  const auto lock = library();
   const hid_t type = type_of(kind);
   make_groups(file_.id(), path);
   const hsize_t extent = count;
@@ -174,24 +176,24 @@ void Hdf5Writer::attribute(const std::string& name, std::string_view value) {
     write_array(text_path(name), value.data(), value.size(), Hdf5Kind::byte, "1", "text, UTF-8");
     return;
   }
-  const std::lock_guard lock(library());
+  const auto lock = library();
   write_text_attribute(file_.id(), name, value);
 }
 
 void Hdf5Writer::attribute(const std::string& name, double value) {
-  const std::lock_guard lock(library());
+  const auto lock = library();
   write_attribute(file_.id(), name, type_of(Hdf5Kind::real64), &value);
 }
 
 void Hdf5Writer::attribute(const std::string& name, long long value) {
-  const std::lock_guard lock(library());
+  const auto lock = library();
   write_attribute(file_.id(), name, type_of(Hdf5Kind::int64), &value);
 }
 
 void Hdf5Writer::save(const std::filesystem::path& path) {
   std::string image;
   {
-    const std::lock_guard lock(library());
+    const auto lock = library();
     require_ok(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "finish the file");
     const ssize_t size = H5Fget_file_image(file_.id(), nullptr, 0);
     if (size <= 0) throw SimulationError("HDF5 could not finish the file");
