@@ -1,5 +1,7 @@
 #include "cli/bit_tallies.hpp"
 
+#include "runtime/bit/asked_range.hpp"
+
 namespace bitrock::cli {
 
 namespace {
@@ -7,6 +9,12 @@ namespace {
 constexpr double seldom_share = 0.1;  // of the questions: the cutter nearest to the axis, or a start and a stop
 
 }  // namespace
+
+void warn_of_bit(const CommonOptions& options, const runtime::Bit& bit, const surrogate::Model& model) {
+  for (const std::string& warning : runtime::warnings(bit)) warn(options, warning);
+  if (const std::string rakes = runtime::rakes_outside(bit, model); !rakes.empty())
+    warn(options, "outside the training range the networks answer for its edge: " + rakes);
+}
 
 void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps, const std::string& asked) {
   if (clamps.clamped() == 0) return;

@@ -7,6 +7,9 @@
 
 namespace bitrock::cli {
 
+/// What is odd about the bit, and what of its rakes the networks have not learnt.
+void warn_of_bit(const CommonOptions& options, const runtime::Bit& bit, const surrogate::Model& model);
+
 /// What the networks were asked outside their range: nothing, a line where it was seldom (less
 /// than a tenth of the questions), or else a warning.
 /// `asked` says by how much (`runtime::asked_outside`), and at which motion; it may be empty.

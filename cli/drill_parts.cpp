@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "base/units.hpp"
-#include "cli/bit_tallies.hpp"
 #include "runtime/bit/asked_range.hpp"
 #include "surrogate/net/model_file.hpp"
 

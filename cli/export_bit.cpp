@@ -2,8 +2,7 @@
 #include <memory>
 
 #include "base/files.hpp"
-#include "cli/command.hpp"
-#include "runtime/bit/asked_range.hpp"
+#include "cli/bit_tallies.hpp"
 #include "runtime/source/c_description.hpp"
 #include "surrogate/net/model_file.hpp"
 
@@ -19,9 +18,7 @@ struct Options {
 void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
   const runtime::Bit bit = runtime::read_bit(options.bit_file);
-  for (const std::string& warning : runtime::warnings(bit)) warn(options.common, warning);
-  if (const std::string rakes = runtime::rakes_outside(bit, model); !rakes.empty())
-    warn(options.common, "outside the training range the networks answer for its edge: " + rakes);
+  warn_of_bit(options.common, bit, model);
   require_outputs(options.common, {options.model_file, options.bit_file}, {options.output});
   base::write_whole(options.output, runtime::c_description(bit, model, options.prefix));
   say(options.common, "{}, rock '{}': the constant {}_description\n-> {}\n", bit.name, model.rock, options.prefix,
@@ -36,12 +33,17 @@ void run(const Options& options) {
 
 void add_export_bit(CLI::App& export_command) {
   CLI::App* command = export_command.add_subcommand(
-      "bit", "a bit and its networks as a C header, for programs that link libbitrock_runtime.so");
+      "bit", "Writes a bit and its networks as a C header, for programs that link libbitrock_runtime.so.");
   auto options = std::make_shared<Options>();
-  command->add_option("model", options->model_file, "model.json")->required();
-  command->add_option("bit", options->bit_file, "bit file, e.g. campaigns/bits/pdc15.toml")->required();
-  command->add_option("-o,--output", options->output, "file to write")->default_val("bit.h")->check(not_empty());
-  command->add_option("--prefix", options->prefix, "begin of all names in the header")->default_val("bit");
+  command
+      ->add_option("model", options->model_file,
+                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
+      ->required();
+  command->add_option("bit", options->bit_file, "The bit file, e.g. campaigns/bits/pdc15.toml.")->required();
+  command->add_option("-o,--output", options->output, "The result goes to this file.")
+      ->default_val("bit.h")
+      ->check(not_empty());
+  command->add_option("--prefix", options->prefix, "All names in the header begin with this.")->default_val("bit");
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

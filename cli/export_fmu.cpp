@@ -4,8 +4,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "cli/command.hpp"
-#include "runtime/bit/asked_range.hpp"
+#include "cli/bit_tallies.hpp"
 #include "runtime/fmu/fmu_file.hpp"
 #include "surrogate/net/model_file.hpp"
 
@@ -21,9 +20,7 @@ struct Options {
 void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
   const runtime::Bit bit = runtime::read_bit(options.bit_file);
-  for (const std::string& warning : runtime::warnings(bit)) warn(options.common, warning);
-  if (const std::string rakes = runtime::rakes_outside(bit, model); !rakes.empty())
-    warn(options.common, "outside the training range the networks answer for its edge: " + rakes);
+  warn_of_bit(options.common, bit, model);
   if (std::filesystem::path(options.output).extension() != ".fmu")
     throw base::InputError(fmt::format("{} (an FMU must end in .fmu)", options.output));
   require_outputs(options.common, {options.model_file, options.bit_file}, {options.output});

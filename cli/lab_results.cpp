@@ -1,6 +1,5 @@
 #include "cli/lab_results.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/statistics.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
@@ -36,8 +37,9 @@ std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
 }
 
 void add_networks(report::Page& page, const CampaignFiles& files) {
-  const bool has_data = base::is_there(files.data);
-  if (has_data && base::is_there(files.earlier_model)) {
+  std::optional<surrogate::TrainingData> data;
+  if (base::is_there(files.data)) data = surrogate::read_training_data(files.data);
+  if (data && base::is_there(files.earlier_model)) {
     const surrogate::Model earlier = surrogate::read_model(files.earlier_model);
     page.section(
         "Networks that have not seen these cuts",
@@ -45,10 +47,8 @@ void add_networks(report::Page& page, const CampaignFiles& files) {
                     "other rocks of the same kind. What they miss beside the scatter of the cuts themselves is "
                     "what they would miss in use.",
                     files.earlier_model.filename().string(), earlier.provenance.data_file));
-    add_parity(
-        page, earlier,
-        surrogate::parity(earlier, surrogate::read_training_data(files.data), surrogate::CaseNumbers::of_another_study),
-        "Cuts not seen");
+    add_parity(page, earlier, surrogate::parity(earlier, *data, surrogate::CaseNumbers::of_another_study),
+               "Cuts not seen");
   }
   if (!base::is_there(files.model)) return;
   const surrogate::Model model = surrogate::read_model(files.model);
@@ -57,9 +57,9 @@ void add_networks(report::Page& page, const CampaignFiles& files) {
                            "one number out. They learnt from {}. Peak counts are per metre of cut.",
                            model.provenance.data_file));
   add_learning_curves(page, model);
-  if (!has_data) return;
+  if (!data) return;
   page.section("Network against DEM");
-  add_parity(page, model, surrogate::parity(model, surrogate::read_training_data(files.data)));
+  add_parity(page, model, surrogate::parity(model, *data));
 }
 
 void add_drill_runs(report::Page& page, const std::filesystem::path& folder) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <span>
 
 #include "base/errors.hpp"
@@ -22,8 +24,10 @@ const DataPart* part_of(const Model& model, const TrainingData& data) {
   return found == parts.end() ? nullptr : &*found;
 }
 
-CaseRole role_of(const Model& model, int case_number, CaseNumbers numbers) {
-  if (numbers == CaseNumbers::of_another_study) return CaseRole::unseen;
+/// `number` is that of the training, which may be no int: a model file can add any `first_case` to it.
+CaseRole role_of(const Model& model, std::int64_t number, CaseNumbers numbers) {
+  if (numbers == CaseNumbers::of_another_study || number > std::numeric_limits<int>::max()) return CaseRole::unseen;
+  const int case_number = static_cast<int>(number);
   if (contains(model.provenance.train_cases, case_number)) return CaseRole::train;
   if (contains(model.provenance.validation_cases, case_number)) return CaseRole::validation;
   return contains(model.provenance.test_cases, case_number) ? CaseRole::test : CaseRole::unseen;
@@ -197,7 +201,7 @@ void compare(OutputParity& output) {
 Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers) {
   Parity result;
   const DataPart* part = part_of(model, data);
-  const int first_case = part == nullptr ? 0 : part->first_case;
+  const std::int64_t first_case = part == nullptr ? 0 : part->first_case;
   result.same_data = part != nullptr || data.fingerprint == model.provenance.data_fingerprint;
   const TrainingData means = averaged(data);
   const ScatterLaw law = scatter_law(means.rows);

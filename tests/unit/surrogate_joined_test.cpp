@@ -1,6 +1,8 @@
 // Several tables as one: numbers of their own for every case, and a model that knows its tables again.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/parity.hpp"
 #include "surrogate/train/train.hpp"
@@ -75,6 +77,16 @@ TEST(JoinedData, AModelKnowsEachOfItsTablesAgain) {
     EXPECT_EQ(point.role, learnt ? CaseRole::train : CaseRole::test) << point.case_number;
   }
   EXPECT_TRUE(surrogate::parity(model, first).same_data);
+}
+
+TEST(JoinedData, NumbersBeyondAnyCaseAreUnseen) {
+  const TrainingData data = named(features_header + other_rows, "b.csv");
+  surrogate::Model model = surrogate_fixture::linear_model();
+  model.provenance.data_parts = {
+      {.file = data.file, .fingerprint = data.fingerprint, .first_case = std::numeric_limits<int>::max()}};
+  const surrogate::Parity parity = surrogate::parity(model, data);
+  ASSERT_FALSE(parity.outputs[0].points.empty());
+  for (const surrogate::ParityPoint& point : parity.outputs[0].points) EXPECT_EQ(point.role, CaseRole::unseen);
 }
 
 }  // namespace
