@@ -18,8 +18,8 @@ namespace bitrock::base {
 namespace {
 
 /// One lock guards every call into the library, whether or not it was built thread-safe: also the first of a thread, as
-/// the library sets itself up in it. HDF5 prints its error stack by default, a setting of each thread; our messages come
-/// from exceptions instead.
+/// the library sets itself up in it. HDF5 prints its error stack by default, a setting of each thread; our messages
+/// come from exceptions instead.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> library() {
   static std::recursive_mutex mutex;
   std::unique_lock lock(mutex);
