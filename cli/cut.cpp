@@ -1,4 +1,5 @@
 // bitrock cut: one cut of one cutter through a bed of rock.
+#include <cmath>
 #include <memory>
 
 #include "base/errors.hpp"
@@ -60,9 +61,8 @@ void print_plan(const Options& options, const dem2d::CutCase& cut) {
                               {"expected_minutes", minutes}});
 }
 
-nlohmann::json energy_residual(const Options& options, const dem2d::CutRun& run) {
-  if (options.without_energy) return nullptr;
-  return run.energy_residual_fraction;
+nlohmann::json measured(const Options& options, double fraction) {
+  return options.without_energy ? nlohmann::json() : nlohmann::json(fraction);
 }
 
 void print_energy(const Options& options, const dem2d::CutRun& run) {
@@ -72,10 +72,16 @@ void print_energy(const Options& options, const dem2d::CutRun& run) {
   say(options.common,
       "work of the cutter {:.4g} J/m: {:.1f} % friction, {:.1f} % local damping, {:.1f} % dashpots, {:.1f} % breaking, "
       "{:.2f} % switching, {:.1f} % in springs, {:.1f} % in motion, {:.1f} % gone with lost discs; {:.2g} % not "
-      "found\n",
+      "found, {:.2g} % injected\n",
       e.boundary_work, percent * e.friction, percent * e.local_damping, percent * e.dashpots, percent * e.breaking,
       percent * e.switching, percent * (e.strain_joints + e.strain_contacts + e.strain_boundaries), percent * e.kinetic,
-      percent * e.removed, 100.0 * run.energy_residual_fraction);
+      percent * e.removed, 100.0 * run.energy_residual_fraction, 100.0 * run.energy_injected_fraction);
+  if (std::abs(run.energy_injected_fraction) <= dem2d::most_injected) return;
+  warn(
+      options.common,
+      fmt::format("{:.2g} % of the cutter's work came from contacts and joints that began under load (at most {:.0f} % "
+                  "is usual): do not trust these forces; is the step too long?",
+                  100.0 * run.energy_injected_fraction, 100.0 * dem2d::most_injected));
 }
 
 void run(const Options& options) {
@@ -112,7 +118,8 @@ void run(const Options& options) {
                               {"cracks_tensile", result.cracks_tensile},
                               {"cracks_shear", result.cracks_shear},
                               {"removed_discs", result.removed_discs},
-                              {"energy_residual_fraction", energy_residual(options, result)},
+                              {"energy_residual_fraction", measured(options, result.energy_residual_fraction)},
+                              {"energy_injected_fraction", measured(options, result.energy_injected_fraction)},
                               {"wall_s", result.wall_time},
                               {"ns_per_disc_step", result.nanoseconds_per_disc_step},
                               {"features", {{"x", x}, {"y", y}}}});

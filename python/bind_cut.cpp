@@ -236,6 +236,12 @@ void bind_cut(py::module_& module) {
             return self.energy.empty() ? std::nullopt : std::optional(self.run.energy_residual_fraction);
           },
           "what the energies do not account for, over the work of the cutter; None when not measured")
+      .def_property_readonly(
+          "energy_injected_fraction",
+          [](const Run& self) {
+            return self.energy.empty() ? std::nullopt : std::optional(self.run.energy_injected_fraction);
+          },
+          "what the scheme gave to the rock, over the work of the cutter; None when not measured")
       .def_property_readonly("bed_origin", value(&CutRun::bed_origin), "how the discs were packed")
       .def_property_readonly("wall_s", value(&CutRun::wall_time), "[s] on the clock")
       .def_property_readonly("core_s", value(&CutRun::core_time), "[s] on one core")

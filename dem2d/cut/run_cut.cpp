@@ -192,7 +192,10 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
       run.cracks.begin(), run.cracks.end(), [](const Crack& c) { return c.mode == ElementState::broken_in_tension; }));
   run.cracks_shear = static_cast<int>(run.cracks.size()) - run.cracks_tensile;
   run.removed_discs = world.removed_discs - (window ? window->left_behind.count() : 0);
-  if (options.measure_energy) run.energy_residual_fraction = energy_residual_fraction({}, run.energies.back());
+  if (options.measure_energy) {
+    run.energy_residual_fraction = energy_residual_fraction({}, run.energies.back());
+    run.energy_injected_fraction = energy_injected_fraction({}, run.energies.back());
+  }
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   run.core_time = options.threads == 1 ? base::thread_time() - thread_started : run.wall_time * options.threads;
   run.nanoseconds_per_disc_step = run.core_time / options.threads * 1e9 / disc_steps;

@@ -7,6 +7,7 @@
 
 #include "dem2d/specimen/grading.hpp"
 #include "dem2d/specimen/order.hpp"
+#include "dem2d/step/energy.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/removal.hpp"
 #include "dem2d/step/step.hpp"
@@ -47,7 +48,8 @@ void append_joint(FlatJoints& to, const FlatJoints& from, std::size_t joint, int
   }
 }
 
-/// Rock below `high` that has not entered yet enters.
+/// Rock below `high` that has not entered yet enters. A joint to a disc that has left its place is never made: it would
+/// enter torn, with the energy of that. What the others are strained by where they enter is booked as injected.
 void let_in(Window& window, World& world, double high) {
   const Discs& rock = window.bed.discs;
   for (; window.entered_discs < rock.x.size() && rock.x[window.entered_discs] < high; ++window.entered_discs) {
@@ -68,7 +70,12 @@ void let_in(Window& window, World& world, double high) {
   for (const std::size_t joint : entering) {
     const int disc1 = place[static_cast<std::size_t>(joints.disc1[joint])];
     const int disc2 = place[static_cast<std::size_t>(joints.disc2[joint])];
-    if (disc1 >= 0 && disc2 >= 0) append_joint(world.joints, joints, joint, disc1, disc2);
+    const auto stands = [&](int disc) {
+      return disc >= 0 && is_in_its_place(window, world.discs, static_cast<std::size_t>(disc));
+    };
+    if (!stands(disc1) || !stands(disc2)) continue;
+    append_joint(world.joints, joints, joint, disc1, disc2);
+    if (world.ledger.measured) world.ledger.accounts.injected += joint_energy(world, world.joints.disc1.size() - 1);
   }
 }
 

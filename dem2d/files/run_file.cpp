@@ -96,7 +96,10 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
   file.attribute("mean_force_y_N_per_m", run.mean_force_y);
   file.attribute("specific_energy_Pa", run.specific_energy);
   file.attribute("removed_discs", static_cast<long long>(run.removed_discs));
-  if (!run.energies.empty()) file.attribute("energy_residual_fraction", run.energy_residual_fraction);
+  if (!run.energies.empty()) {
+    file.attribute("energy_residual_fraction", run.energy_residual_fraction);
+    file.attribute("energy_injected_fraction", run.energy_injected_fraction);
+  }
   file.attribute("wall_s", run.wall_time);
   file.attribute("core_s", run.core_time);
   file.attribute("ns_per_disc_step", run.nanoseconds_per_disc_step);
@@ -197,6 +200,8 @@ RunFile read_run(const base::Hdf5Reader& file) {
   run.specific_energy = file.number_attribute("specific_energy_Pa");
   const bool measured = file.has_attribute("energy_residual_fraction");
   if (measured) run.energy_residual_fraction = file.number_attribute("energy_residual_fraction");
+  if (file.has_attribute("energy_injected_fraction"))  // since physics version 5
+    run.energy_injected_fraction = file.number_attribute("energy_injected_fraction");
   run.wall_time = file.number_attribute("wall_s");
   run.core_time = file.has_attribute("core_s") ? file.number_attribute("core_s") : run.wall_time;
   run.nanoseconds_per_disc_step = file.number_attribute("ns_per_disc_step");

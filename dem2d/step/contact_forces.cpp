@@ -27,7 +27,8 @@ inline void one_contact(World& world, std::size_t contact) {
   const auto i = static_cast<std::size_t>(contacts.disc1[contact]),
              j = static_cast<std::size_t>(contacts.disc2[contact]);
   const Discs& discs = world.discs;
-  const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i], reach = discs.radius[i] + discs.radius[j];
+  const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
+  const double reach = discs.radius[i] + discs.radius[j] - contacts.reference_overlap[contact];
   // Most stay apart: their force is zero already.
   if (contacts.touching[contact] == 0 && dx * dx + dy * dy >= reach * reach) return;
   const PairMotion pair = pair_motion(discs, i, j);

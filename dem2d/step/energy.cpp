@@ -36,7 +36,8 @@ double centre_distance(const Discs& d, std::size_t i, std::size_t j) {
 double contact_energy(const World& world, std::size_t contact) {
   const auto i = static_cast<std::size_t>(world.contacts.disc1[contact]),
              j = static_cast<std::size_t>(world.contacts.disc2[contact]);
-  const double overlap = world.discs.radius[i] + world.discs.radius[j] - centre_distance(world.discs, i, j);
+  const double overlap = world.discs.radius[i] + world.discs.radius[j] - centre_distance(world.discs, i, j) -
+                         world.contacts.reference_overlap[contact];
   return linear_stored_energy(contact_law(world, contact), overlap, world.contacts.spring[contact]);
 }
 
@@ -116,6 +117,11 @@ double energy_residual(const Energies& start, const Energies& now) {
 double energy_residual_fraction(const Energies& start, const Energies& now) {
   const double work = now.boundary_work - start.boundary_work;
   return work != 0.0 ? energy_residual(start, now) / work : 0.0;
+}
+
+double energy_injected_fraction(const Energies& start, const Energies& now) {
+  const double work = now.boundary_work - start.boundary_work;
+  return work != 0.0 ? (now.injected - start.injected) / work : 0.0;
 }
 
 double last_half_step(const World& world, const std::vector<PairForce>& forces, std::size_t place, int disc1,

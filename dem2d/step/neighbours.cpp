@@ -27,12 +27,13 @@ constexpr double steps_of_a_fast_disc = 100.0;
 constexpr double used_share = 0.5;
 
 /// Which discs are to be listed anew. From now on they are listed where they are.
-std::vector<char> mark_moved_discs(World& world, const std::vector<int>& freed) {
+std::vector<char> mark_moved_discs(World& world, const std::vector<Handover>& freed) {
   const Discs& discs = world.discs;
   const double least = 0.5 * world.lists.skin, most = world.lists.skin / skin_per_radius;
   const std::size_t count = discs.x.size();
   std::vector<char> marked(count, world.lists.valid ? 0 : 1);
-  for (const int disc : freed) marked[static_cast<std::size_t>(disc)] = 1;
+  for (const Handover& pair : freed)
+    marked[static_cast<std::size_t>(pair.disc1)] = marked[static_cast<std::size_t>(pair.disc2)] = 1;
   for (std::vector<double>* values : {&world.lists.listed_x, &world.lists.listed_y, &world.lists.listed_margin})
     values->resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -86,9 +87,31 @@ bool are_joined(const World& world, int i, int j) {
          std::any_of(lists.more.begin(), lists.more.end(), [&is_it](const auto& entry) { return is_it(entry.joint); });
 }
 
-/// Adds a pair to `to`, with the history it has in `from` at `place`, if it has one.
-void add_contact(World& world, LinearContacts& to, int i, int j, const LinearContacts& from, std::size_t place,
-                 bool known) {
+/// What a contact brings along.
+struct History {
+  double spring = 0.0, reference_overlap = 0.0;
+  char touching = 0;
+  double last_normal_dashpot = 0.0, last_shear_dashpot = 0.0;
+};
+
+History history_of(const LinearContacts& contacts, std::size_t place) {
+  History history{contacts.spring[place], contacts.reference_overlap[place], contacts.touching[place]};
+  if (!contacts.last_normal_dashpot.empty()) {
+    history.last_normal_dashpot = contacts.last_normal_dashpot[place];
+    history.last_shear_dashpot = contacts.last_shear_dashpot[place];
+  }
+  return history;
+}
+
+/// Of a pair that was on no list: that of the joint it had until now, or none.
+History history_of(const std::vector<Handover>& handovers, const std::pair<int, int>& discs) {
+  const auto before = [](const Handover& a, const std::pair<int, int>& b) { return std::pair(a.disc1, a.disc2) < b; };
+  const auto found = std::lower_bound(handovers.begin(), handovers.end(), discs, before);
+  if (found == handovers.end() || std::pair(found->disc1, found->disc2) != discs) return {};
+  return {found->spring, found->reference_overlap, static_cast<char>(found->touching ? 1 : 0)};
+}
+
+void add_contact(World& world, LinearContacts& to, int i, int j, const History& history) {
   const Discs& discs = world.discs;
   const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
   const double kn = linear_normal_stiffness(world.materials.contact_modulus, discs.radius[a], discs.radius[b]);
@@ -99,18 +122,19 @@ void add_contact(World& world, LinearContacts& to, int i, int j, const LinearCon
   to.dashpot.push_back(dashpot_constant(world.materials.contact_damping_ratio, reduced_mass, kn));
   to.shear_dashpot.push_back(dashpot_constant(world.materials.contact_shear_damping_ratio, reduced_mass,
                                               kn / world.materials.contact_stiffness_ratio));
-  to.spring.push_back(known ? from.spring[place] : 0.0);
-  to.touching.push_back(known ? from.touching[place] : 0);
+  to.spring.push_back(history.spring);
+  to.reference_overlap.push_back(history.reference_overlap);
+  to.touching.push_back(history.touching);
   if (!world.ledger.measured) return;
-  to.last_normal_dashpot.push_back(known ? from.last_normal_dashpot[place] : 0.0);
-  to.last_shear_dashpot.push_back(known ? from.last_shear_dashpot[place] : 0.0);
+  to.last_normal_dashpot.push_back(history.last_normal_dashpot);
+  to.last_shear_dashpot.push_back(history.last_shear_dashpot);
   to.friction_loss.push_back(0.0);
   to.dashpot_loss.push_back(0.0);
   to.switching_loss.push_back(0.0);
 }
 
 /// Pairs of discs that are not marked stay; those with a marked disc are found anew.
-void list_contacts(World& world, const std::vector<char>& marked) {
+void list_contacts(World& world, const std::vector<char>& marked, const std::vector<Handover>& handovers) {
   std::vector<double> reach = world.discs.radius;
   for (std::size_t i = 0; i < reach.size(); ++i) reach[i] += world.lists.listed_margin[i];
   const Pairs found = marked_pairs(world.lists.listed_x, world.lists.listed_y, reach, marked);
@@ -126,7 +150,8 @@ void list_contacts(World& world, const std::vector<char>& marked) {
     const auto kept = pair(old, place), seen = pair(found, k);
     if (seen <= kept) {
       if (seen == kept || !are_joined(world, seen.first, seen.second)) {
-        add_contact(world, fresh, seen.first, seen.second, old, place, seen == kept);
+        const History history = seen == kept ? history_of(old, place) : history_of(handovers, seen);
+        add_contact(world, fresh, seen.first, seen.second, history);
       }
       ++k;
       if (seen == kept) ++place;
@@ -134,7 +159,7 @@ void list_contacts(World& world, const std::vector<char>& marked) {
     }
     const bool stays =
         marked[static_cast<std::size_t>(kept.first)] == 0 && marked[static_cast<std::size_t>(kept.second)] == 0;
-    if (stays) add_contact(world, fresh, kept.first, kept.second, old, place, true);
+    if (stays) add_contact(world, fresh, kept.first, kept.second, history_of(old, place));
     ++place;
   }
   world.contacts = std::move(fresh);
@@ -228,13 +253,13 @@ void refresh_neighbours(World& world) {
   require_finite(world);
   const bool discs_left = remove_lost_discs(world);
   if (world.discs.count() == 0) throw base::SimulationError("every disc has left the domain");
-  const std::vector<int> freed = end_finished_joints(world);
+  const std::vector<Handover> freed = end_finished_joints(world);
   const std::vector<char> marked = mark_moved_discs(world, freed);
   if (!world.lists.valid || discs_left || !freed.empty()) {
     list_joints_of_discs(world);
   }
   world.room.motion.resize(world.discs.x.size());
-  list_contacts(world, marked);
+  list_contacts(world, marked, freed);
   world.room.contact_forces.assign(world.contacts.disc1.size(), {});
   list_boundary_neighbours(world);
   std::fill(world.lists.most_strayed.begin(), world.lists.most_strayed.end(), 0.0);

@@ -6,6 +6,6 @@ namespace bitrock::dem2d {
 
 /// Raised by hand whenever a change of the engine changes a bit of a force or of a crack;
 /// tests/regression/pinned_bits_test.cpp says when.
-inline constexpr int physics_version = 4;
+inline constexpr int physics_version = 5;
 
 }  // namespace bitrock::dem2d

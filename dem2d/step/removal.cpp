@@ -1,6 +1,8 @@
 #include "dem2d/step/removal.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dem2d/step/energy.hpp"
 
@@ -32,9 +34,10 @@ void keep_contacts(LinearContacts& contacts, const std::vector<char>& flags) {
   keep(contacts.disc1, flags);
   keep(contacts.disc2, flags);
   keep(contacts.touching, flags);
-  for (std::vector<double>* values : {&contacts.normal_stiffness, &contacts.dashpot, &contacts.shear_dashpot,
-                                      &contacts.spring, &contacts.last_normal_dashpot, &contacts.last_shear_dashpot,
-                                      &contacts.friction_loss, &contacts.dashpot_loss, &contacts.switching_loss}) {
+  for (std::vector<double>* values :
+       {&contacts.normal_stiffness, &contacts.dashpot, &contacts.shear_dashpot, &contacts.spring,
+        &contacts.reference_overlap, &contacts.last_normal_dashpot, &contacts.last_shear_dashpot,
+        &contacts.friction_loss, &contacts.dashpot_loss, &contacts.switching_loss}) {
     keep(*values, flags);
   }
 }
@@ -49,36 +52,28 @@ bool joint_is_over(const World& world, std::size_t joint) {
   return open_everywhere && -now.overlap > world.lists.skin;
 }
 
-/// Elastic energy that the linear contact of two discs starts with when it takes over from a joint [J/m].
-double successor_energy(const World& world, std::size_t joint) {
-  const double overlap = joint_position(world, joint).overlap;
-  if (overlap <= 0.0) return 0.0;
-  const std::vector<double>& radius = world.discs.radius;
-  const double kn = linear_normal_stiffness(world.materials.contact_modulus,
-                                            radius[static_cast<std::size_t>(world.joints.disc1[joint])],
-                                            radius[static_cast<std::size_t>(world.joints.disc2[joint])]);
-  return 0.5 * kn * overlap * overlap;
-}
-
 }  // namespace
 
-std::vector<int> end_finished_joints(World& world) {
+std::vector<Handover> end_finished_joints(World& world) {
   const FlatJoints& joints = world.joints;
-  std::vector<int> freed;
+  std::vector<Handover> handovers;
   std::vector<char> stays;
   for (std::size_t joint = 0; joint < joints.disc1.size(); ++joint) {
     if (!joint_is_over(world, joint)) continue;
     stays.resize(joints.disc1.size(), 1);
     stays[joint] = 0;
-    freed.insert(freed.end(), {joints.disc1[joint], joints.disc2[joint]});
+    handovers.push_back(hand_over(world, joint));
     world.ledger.accounts.injected +=
-        successor_energy(world, joint) - joint_energy(world, joint) -
+        handovers.back().injected -
         last_half_step(world, world.room.joint_forces, joint, joints.disc1[joint], joints.disc2[joint]);
   }
-  if (freed.empty()) return freed;
+  if (handovers.empty()) return handovers;
   book_joint_losses(world, stays);
   keep_joints(world.joints, stays);
-  return freed;
+  std::sort(handovers.begin(), handovers.end(), [](const Handover& a, const Handover& b) {
+    return std::pair(a.disc1, a.disc2) < std::pair(b.disc1, b.disc2);
+  });
+  return handovers;
 }
 
 bool remove_lost_discs(World& world) {

@@ -122,7 +122,8 @@ struct LinearContacts {
   std::vector<int> disc1, disc2;
   std::vector<double> normal_stiffness, dashpot, shear_dashpot;  ///< [Pa], [Pa s], [Pa s]
   std::vector<double> spring;                                    ///< history: force of the shear spring [N/m]
-  std::vector<char> touching;                                    ///< at the last step; if not, the force is zero
+  std::vector<double> reference_overlap;  ///< carries no force: that of a joint this contact took over from [m]
+  std::vector<char> touching;             ///< at the last step; if not, the force is zero
   // empty unless energy is measured
   std::vector<double> last_normal_dashpot, last_shear_dashpot;      ///< forces at the last step [N/m]
   std::vector<double> friction_loss, dashpot_loss, switching_loss;  ///< [J/m]
@@ -205,7 +206,7 @@ struct EnergyAccounts {
   double local_damping = 0.0;
   double breaking = 0.0;
   double removed = 0.0;   ///< kinetic and elastic energy of discs that left the domain
-  double injected = 0.0;  ///< net, by contacts that took over from joints that were over
+  double injected = 0.0;  ///< net, by contacts that took over from joints, and by joints that enter strained
 };
 
 /// What does not change while discs move.

@@ -20,6 +20,7 @@ struct FeatureRow {
   int chips = 0;                                                   ///< dem2d/cut/chips.hpp
   int cracks_tensile = 0, cracks_shear = 0;
   double energy_residual_fraction = 0.0;  ///< what the energy ledger cannot find, over the cutter's work [1]
+  double energy_injected_fraction = 0.0;  ///< what the scheme gave to the rock, over the cutter's work [1]
   int discs = 0;
   double step = 0.0;       ///< [s]
   double core_time = 0.0;  ///< that the cut took on one core; the only number that depends on the machine [s]

@@ -169,7 +169,7 @@ TEST(PinnedBits, OfASpecimen) {
 }
 
 TEST(PinnedBits, OfACut) {
-  const Pin pin{.version = 4, .first = "43926e9550090950", .second = "425be5c6782a6d03"};
+  const Pin pin{.version = 5, .first = "31f29cb61b58e67b", .second = "c4cb3f496051ab68"};
   const dem2d::CutRun plain = dem2d::run_cut(plain_cut(), bed_of(plain_cut()));
   const dem2d::CutRun rich = dem2d::run_cut(rich_cut(), bed_of(rich_cut()));
   EXPECT_GT(plain.cracks.size(), 50u) << "a cut in which nothing happens pins nothing";

@@ -11,6 +11,7 @@
 #include "dem2d/cut/window.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/specimen/order.hpp"
+#include "dem2d/step/energy.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/stages.hpp"
 #include "dem2d/step/step.hpp"
@@ -206,6 +207,69 @@ TEST(Window, AGrainThatFlewAheadIsNotOverlaidByRockThatEnters) {
   EXPECT_GT(world.discs.count(), 0);
   EXPECT_EQ(std::count(world.discs.id.begin(), world.discs.id.end(), id), 0);
   EXPECT_EQ(world.removed_discs - before, window.left_behind.count() + 1);
+}
+
+/// A window whose last column is about to be joined by rock that enters.
+struct AtTheDoor {
+  dem2d::World world;
+  dem2d::Window window;
+  std::vector<std::size_t> last_column;  // free discs above the held bottom
+};
+
+AtTheDoor at_the_door(double behind = 3e-3) {
+  dem2d::CutCase cut = small_cut();
+  cut.moving_ahead = 8e-3;
+  cut.moving_behind = behind;
+  AtTheDoor door{.world = dem2d::make_cut_world(cut, bed())};
+  door.world.ledger.measured = true;
+  door.window = dem2d::open_window(door.world, cut, 0.0);
+  const dem2d::Discs& d = door.world.discs;
+  for (std::size_t i = 0; i < d.x.size(); ++i) {
+    if (d.x[i] > door.window.high - door.window.column && d.y[i] > 2.0 * door.window.column)
+      door.last_column.push_back(i);
+  }
+  return door;
+}
+
+TEST(Window, RockThatEntersIsNotJoinedToADiscThatHasLeftItsPlace) {
+  AtTheDoor door = at_the_door();
+  ASSERT_GT(door.last_column.size(), 3u);
+  const std::size_t stray = door.last_column[1];
+  const int id = door.world.discs.id[stray];
+  const double there = door.world.discs.x[stray];
+  door.world.discs.x[stray] -= 1.2 * door.window.column;  // back among those that stay
+  std::erase_if(door.last_column, [stray](std::size_t i) { return i == stray; });
+  const auto joints_to = [&](int disc) {
+    int count = 0;
+    for (std::size_t k = 0; k < door.world.joints.disc1.size(); ++k) {
+      const int first = door.world.discs.id[static_cast<std::size_t>(door.world.joints.disc1[k])];
+      const int second = door.world.discs.id[static_cast<std::size_t>(door.world.joints.disc2[k])];
+      count += first == disc || second == disc ? 1 : 0;
+    }
+    return count;
+  };
+  const int before = joints_to(id);
+  dem2d::advance_window(door.window, door.world, 6e-3);
+  const auto found = std::find(door.world.discs.id.begin(), door.world.discs.id.end(), id);
+  ASSERT_NE(found, door.world.discs.id.end());
+  const auto place = static_cast<std::size_t>(found - door.world.discs.id.begin());
+  ASSERT_LT(door.world.discs.x[place], there);
+  EXPECT_EQ(joints_to(id), before);
+}
+
+TEST(Window, WhatEnteringJointsAreStrainedByIsBooked) {
+  AtTheDoor door = at_the_door(6e-3);
+  const int joints_before = door.world.joints.count();
+  for (const std::size_t i : door.last_column) door.world.discs.x[i] += 1e-6;
+  double held = 0.0;  // by the joints that are there
+  for (std::size_t k = 0; k < door.world.joints.disc1.size(); ++k) held += dem2d::joint_energy(door.world, k);
+  dem2d::advance_window(door.window, door.world, 6e-3);
+  ASSERT_EQ(door.window.low, 0.0) << "nothing has left behind: the old joints are all there";
+  ASSERT_GT(door.world.joints.count(), joints_before);
+  double now = 0.0;
+  for (std::size_t k = 0; k < door.world.joints.disc1.size(); ++k) now += dem2d::joint_energy(door.world, k);
+  EXPECT_GT(now, held);
+  EXPECT_NEAR(door.world.ledger.accounts.injected, now - held, 1e-9 * now);
 }
 
 TEST(Order, InColumnsIsTheSameWorld) {

@@ -144,7 +144,7 @@ TEST(Joint, ACrackIsRecordedWhereItsElementIs) {
   EXPECT_EQ(crack.mode, dem2d::ElementState::broken_in_tension);
 }
 
-TEST(Joint, EndsAfterSlidingItsLengthAndTheEnergyChangeIsLogged) {
+TEST(Joint, EndsAfterSlidingItsLength) {
   dem2d::World world = small_worlds::chain(2);
   dem2d::prepare(world);
   for (auto& state : world.joints.state) state = dem2d::ElementState::broken_in_shear;
@@ -160,10 +160,8 @@ TEST(Joint, EndsAfterSlidingItsLengthAndTheEnergyChangeIsLogged) {
   dem2d::refresh_neighbours(world);
   EXPECT_EQ(world.joints.count(), 0);
   EXPECT_EQ(world.contacts.count(), 1);
-  const double kn = modulus / (2.0 * radius);
-  const double held = (0.5 * kn * 1e-12 + 0.5 * 2e3 * 2e3 / (kn / 2.0)) * 2.0 * radius;
-  const double taken_over = 0.5 * modulus * 1e-12;  // kn = A E / L = E for equal discs
-  EXPECT_NEAR(world.ledger.accounts.injected, taken_over - held, 1e-9 * taken_over);
+  const double held = 0.5 * modulus * 1e-12;  // kn = A E / L = E for equal discs
+  EXPECT_NEAR(world.ledger.accounts.injected, 0.0, 1e-9 * held) << "the contact goes on with the force of the joint";
 }
 
 /// A bed of two joined discs that the cutter's face hits: all forces end in the momentum of the pair.
