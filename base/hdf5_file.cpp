@@ -55,7 +55,7 @@ std::string text_path(const std::string& attribute) {
 }
 
 static_assert(std::endian::native == std::endian::little, "values of files are copied as they are");
-static_assert(sizeof(int) == 4 && sizeof(double) == 8 && sizeof(long long) == 8);
+static_assert(sizeof(int) == 4 && sizeof(float) == 4 && sizeof(double) == 8 && sizeof(long long) == 8);
 
 /// To be asked for with the library locked: each name is a macro that opens it.
 hid_t type_of(Hdf5Kind kind) {
@@ -67,6 +67,8 @@ hid_t type_of(Hdf5Kind kind) {
       return H5T_STD_I32LE;
     case Hdf5Kind::int64:
       return H5T_STD_I64LE;
+    case Hdf5Kind::real32:
+      return H5T_IEEE_F32LE;
     case Hdf5Kind::real64:
       return H5T_IEEE_F64LE;
   }
@@ -164,6 +166,11 @@ void Hdf5Writer::write_array(const std::string& path, const void* values, std::s
 void Hdf5Writer::array(const std::string& path, std::span<const double> values, const std::string& units,
                        const std::string& meaning) {
   write_array(path, values.data(), values.size(), Hdf5Kind::real64, units, meaning);
+}
+
+void Hdf5Writer::array(const std::string& path, std::span<const float> values, const std::string& units,
+                       const std::string& meaning) {
+  write_array(path, values.data(), values.size(), Hdf5Kind::real32, units, meaning);
 }
 
 void Hdf5Writer::array(const std::string& path, std::span<const int> values, const std::string& units,
@@ -265,8 +272,9 @@ std::vector<double> Hdf5Reader::doubles(const std::string& path) const {
   const Hdf5Array& stored = array(path);
   const std::string what = fmt::format("{}: {}", name_, path);
   if (stored.kind == Hdf5Kind::real64) return converted<double, double>(hdf5_values(stored, what));
+  if (stored.kind == Hdf5Kind::real32) return converted<float, double>(hdf5_values(stored, what));
   if (stored.kind == Hdf5Kind::int32) return converted<int, double>(hdf5_values(stored, what));
-  throw InputError(what + " does not hold numbers (must be of 64 bits, or whole of 32)");
+  throw InputError(what + " does not hold numbers (must be of 32 or 64 bits)");
 }
 
 std::vector<int> Hdf5Reader::ints(const std::string& path) const {

@@ -42,6 +42,8 @@ class Hdf5Writer {
   /// One-dimensional array; `units` in UDUNITS spelling ("N/m", "s", "1"). Chunked, compressed, checksummed.
   void array(const std::string& path, std::span<const double> values, const std::string& units,
              const std::string& meaning);
+  void array(const std::string& path, std::span<const float> values, const std::string& units,
+             const std::string& meaning);
   void array(const std::string& path, std::span<const int> values, const std::string& units,
              const std::string& meaning);
   /// Attributes of the root group. Texts have a fixed length, UTF-8; one too long for an attribute becomes an array of

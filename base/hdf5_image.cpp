@@ -41,10 +41,11 @@ struct HeaderMessage {
 };
 
 /// The kinds of values that we write, as the format spells them; a text says its length itself.
-constexpr std::array<std::pair<std::string_view, Hdf5Kind>, 4> number_types{
+constexpr std::array<std::pair<std::string_view, Hdf5Kind>, 5> number_types{
     {{std::string_view("\x10\0\0\0\x01\0\0\0\0\0\x08\0", 12), Hdf5Kind::byte},
      {std::string_view("\x10\x08\0\0\x04\0\0\0\0\0\x20\0", 12), Hdf5Kind::int32},
      {std::string_view("\x10\x08\0\0\x08\0\0\0\0\0\x40\0", 12), Hdf5Kind::int64},
+     {std::string_view("\x11\x20\x1f\0\x04\0\0\0\0\0\x20\0\x17\x08\0\x17\x7f\0\0\0", 20), Hdf5Kind::real32},
      {std::string_view("\x11\x20\x3f\0\x08\0\0\0\0\0\x40\0\x34\x0b\0\x34\xff\x03\0\0", 20), Hdf5Kind::real64}}};
 
 /// What lies in a piece of the file, read from front to back.
@@ -408,6 +409,7 @@ std::size_t value_bytes(Hdf5Kind kind) {
     case Hdf5Kind::text:
       return 1;
     case Hdf5Kind::int32:
+    case Hdf5Kind::real32:
       return 4;
     case Hdf5Kind::int64:
     case Hdf5Kind::real64:

@@ -14,7 +14,7 @@
 namespace bitrock::base {
 
 /// What one value is. All numbers are little-endian.
-enum class Hdf5Kind { byte, int32, int64, real64, text };
+enum class Hdf5Kind { byte, int32, int64, real32, real64, text };
 
 struct Hdf5Attribute {
   Hdf5Kind kind{};

@@ -4,11 +4,9 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
-#include "base/files.hpp"
 #include "base/units.hpp"
 #include "base/value_lists.hpp"
 #include "studies/campaign/accepted.hpp"
-#include "studies/campaign/collect.hpp"
 #include "studies/campaign/folder.hpp"
 #include "studies/campaign/plan.hpp"
 #include "studies/campaign/runner.hpp"
@@ -17,12 +15,7 @@ namespace bitrock::cli {
 
 namespace {
 
-struct CollectFlags {
-  CampaignOptions campaign;
-  std::vector<std::string> accept;
-};
-
-struct RunFlags : CollectFlags {
+struct RunFlags : AcceptOptions {
   int workers = 1;
   std::string shard = "1/1";
 };
@@ -58,17 +51,6 @@ void print_job(const studies::JobReport& report) {
   }
 }
 
-void accept_tables(const CollectFlags& flags, const studies::Study& study) {
-  if (flags.accept.empty()) return;
-  studies::open_folder(study, flags.campaign.folder);
-  for (const std::string& table : flags.accept) {
-    const studies::Acceptance accepted = studies::keep_accepted(study, flags.campaign.folder, table);
-    say(flags.campaign.common, "{}: {} rows accepted, {} of no job of this study; {} accepted in all\n", table,
-        accepted.added, accepted.all.strangers, accepted.all.rows.size());
-    warn(flags.campaign.common, accepted.all.warnings);
-  }
-}
-
 void run_campaign(const RunFlags& flags) {
   const CampaignOptions& options = flags.campaign;
   const studies::Study study = study_of(options);
@@ -80,7 +62,7 @@ void run_campaign(const RunFlags& flags) {
     return print_plan(options, study, dem2d::typical_ns_per_disc_step);
   }
   require_outputs(options.common, {options.study_file, folder / "study.toml", folder / "features.csv"}, {});
-  accept_tables(flags, study);
+  accept_cuts(flags, study);
   if (!options.common.quiet) {
     run.on_job = print_job;
     run.on_stage = [](const std::string& text) { print(text + "\n"); };
@@ -107,47 +89,6 @@ void show_status(const CampaignOptions& options) {
   print(options, survey.status);
 }
 
-void collect(const CollectFlags& flags) {
-  const CampaignOptions& options = flags.campaign;
-  const std::filesystem::path folder = options.folder;
-  require_outputs(options.common, {options.study_file}, {});
-  const studies::Study study = studies::read_study(options.study_file);
-  accept_tables(flags, study);
-  const studies::Status status = studies::status(study, folder);
-  const studies::Collection collection = studies::collect(study, folder);
-  if (collection.rows.empty()) {
-    throw base::InputError(
-        fmt::format("{}: no finished runs to collect (first: bitrock campaign run)", options.folder));
-  }
-  warn(options.common, collection.warnings);
-  base::write_whole(folder / "features.csv", studies::features_csv(collection.rows));
-  base::write_whole(folder / "features_mean.csv", studies::features_mean_csv(collection.rows));
-  say(options.common, "{} rows -> {}, {}\n", collection.rows.size(), (folder / "features.csv").string(),
-      (folder / "features_mean.csv").string());
-  print(options, status);
-}
-
-void add_accept(CLI::App& action, CollectFlags& flags) {
-  action
-      .add_option("--accept", flags.accept,
-                  "Rows of this features.csv count as finished cuts where their hash is that of a cut of the study. "
-                  "The flag may stand several times.")
-      ->allow_extra_args(false)
-      ->check(not_empty());
-}
-
-void add_collect(CLI::App& campaign) {
-  auto flags = std::make_shared<CollectFlags>();
-  CLI::App* command = add_campaign_action(
-      campaign, "collect", "Writes features.csv and features_mean.csv of the finished cuts.", flags->campaign);
-  add_campaign_folder(*command, flags->campaign);
-  add_accept(*command, *flags);
-  command->callback([flags] {
-    find_study(flags->campaign);
-    collect(*flags);
-  });
-}
-
 void add_run(CLI::App& campaign) {
   auto flags = std::make_shared<RunFlags>();
   CLI::App* command = add_campaign_action(
@@ -169,6 +110,28 @@ void add_run(CLI::App& campaign) {
 }
 
 }  // namespace
+
+void accept_cuts(const AcceptOptions& flags, const studies::Study& study) {
+  if (flags.accept.empty()) return;
+  studies::open_folder(study, flags.campaign.folder);
+  for (const std::string& table : flags.accept) {
+    const studies::Acceptance accepted = studies::keep_accepted(study, flags.campaign.folder, table);
+    say(flags.campaign.common, "{}: {} cuts accepted, {} of no job of this study; {} accepted in all\n", table,
+        accepted.added, accepted.all.strangers, accepted.all.rows.size() + accepted.all.forces.size());
+    warn(flags.campaign.common, accepted.all.warnings);
+  }
+}
+
+void add_accept(CLI::App& action, AcceptOptions& flags) {
+  action
+      .add_option(
+          "--accept", flags.accept,
+          "The cuts of this forces.h5, or the rows of this features.csv, count as finished where their hash is that of "
+          "a cut of the study. "
+          "The flag may stand several times.")
+      ->allow_extra_args(false)
+      ->check(not_empty());
+}
 
 void find_study(CampaignOptions& options) {
   if (options.study_file.empty()) options.study_file = studies::study_in(options.folder).string();
@@ -235,7 +198,8 @@ void add_campaign(CLI::App& app) {
     find_study(*options);
     show_status(*options);
   });
-  add_collect(*campaign);
+  add_campaign_collect(*campaign);
+  add_campaign_features(*campaign);
   add_campaign_submit(*campaign);
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "studies/campaign/status.hpp"
@@ -13,6 +14,11 @@ namespace bitrock::cli {
 struct CampaignOptions {
   CommonOptions common;
   std::string study_file, folder;
+};
+
+struct AcceptOptions {
+  CampaignOptions campaign;
+  std::vector<std::string> accept;  ///< files of cuts made elsewhere
 };
 
 /// Where no study is named, the one that the folder of the campaign holds.
@@ -27,12 +33,18 @@ CLI::App* add_campaign_action(CLI::App& campaign, const std::string& name, const
 /// `--dir`, which must be given.
 void add_campaign_folder(CLI::App& action, CampaignOptions& options);
 
+/// `--accept`, and what it asks for: the folder keeps the cuts of these files.
+void add_accept(CLI::App& action, AcceptOptions& options);
+void accept_cuts(const AcceptOptions& options, const studies::Study& study);
+
 nlohmann::json as_json(const studies::Status& status);
 void print(const CampaignOptions& options, const studies::Status& status);
 
 void add_campaign_plan(CLI::App& campaign);
 /// Prints the plan of a study; `folder` may be empty.
 void print_plan(const CampaignOptions& options, const studies::Study& study, double ns_per_disc_step);
+void add_campaign_collect(CLI::App& campaign);
+void add_campaign_features(CLI::App& campaign);
 void add_campaign_submit(CLI::App& campaign);
 
 }  // namespace bitrock::cli

@@ -15,6 +15,8 @@ struct Options {
   CommonOptions common;
   std::string file, column, time;
   int parts = 4;
+  std::string definition = "article";
+  studies::PeakWish wish;
 };
 
 /// The unit a column's name ends in, as far as forces have one; empty otherwise.
@@ -46,9 +48,9 @@ nlohmann::json list_of(const std::vector<peaks::Part>& parts, const std::vector<
   return list;
 }
 
-nlohmann::json list_of_peaks(const ForceHistory& history) {
+nlohmann::json list_of_peaks(const ForceHistory& history, const peaks::Selection& selection) {
   nlohmann::json list = nlohmann::json::array();
-  for (const std::size_t i : peaks::counted_peaks(history.force)) {
+  for (const std::size_t i : peaks::counted_peaks(history.force, selection)) {
     list.push_back({{"index", i},
                     {"time_s", history.time.empty() ? nlohmann::json() : nlohmann::json(history.time[i])},
                     {"height", history.force[i]}});
@@ -104,9 +106,12 @@ void warn_about(const Options& options, const ForceHistory& history, const Force
 }
 
 void run(const Options& options) {
-  const ForceHistory history = studies::read_force_history(options.file, options.column, options.time);
+  ForceHistory history = studies::read_force_history(options.file, options.column, options.time);
   require_outputs(options.common, {options.file}, {});
-  const ForceFindings found = studies::find_in(history, options.parts);
+  studies::PeakWish wish = options.wish;
+  wish.converging = options.definition == "converging";
+  const peaks::Selection selection = studies::apply(wish, history, options.file);
+  const ForceFindings found = studies::find_in(history, options.parts, selection);
   print(options, history, found);
   warn_about(options, history, found);
   if (options.common.json_file.empty()) return;
@@ -126,7 +131,7 @@ void run(const Options& options) {
                  {"evenly_spaced", timed ? nlohmann::json(found.even) : nlohmann::json()},
                  {"parts_by", timed ? "time" : "samples"},
                  {"parts", list_of(found.parts, history.time)},
-                 {"peaks", list_of_peaks(history)}});
+                 {"peaks", list_of_peaks(history, selection)}});
   write_json(options.common, result);
 }
 
@@ -146,6 +151,24 @@ void add_peaks(CLI::App& app) {
                    "The cut is also divided into so many equal parts, and the peaks of each are counted.")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  command
+      ->add_option("--definition", options->definition,
+                   "What counts as a peak: every maximum above 1 % of the highest sample as in the article, or, for a "
+                   "run file, by the converging definition, whose counts do not depend on the sampling.")
+      ->check(CLI::IsMember({"article", "converging"}))
+      ->capture_default_str();
+  command
+      ->add_option("--smoothing", options->wish.smoothing,
+                   "A moving mean over so many samples is taken twice before peaks are looked for.")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--min-prominence", options->wish.min_prominence,
+                   "A peak stands out from the higher of its two valleys by at least this share of the highest sample.")
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--min-distance", options->wish.min_distance,
+                   "Of peaks at most so many samples apart only the highest counts.")
+      ->check(CLI::Range(0.0, 1e9));
   add_common(*command, options->common);
   command->callback([options] { run(*options); });
 }

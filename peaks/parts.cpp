@@ -4,22 +4,6 @@
 
 namespace bitrock::peaks {
 
-namespace {
-
-PeakStatistics statistics_of(std::span<const double> signal, std::span<const std::size_t> found, double amax) {
-  PeakStatistics statistics;
-  double sum = 0.0;
-  for (const std::size_t i : found) {
-    statistics.amax = std::max(statistics.amax, signal[i]);
-    sum += signal[i];
-    count_in_band(statistics, signal[i], amax);
-  }
-  if (!found.empty()) statistics.amean = sum / static_cast<double>(found.size());
-  return statistics;
-}
-
-}  // namespace
-
 std::vector<std::size_t> part_borders(std::size_t samples, int parts) {
   const auto count = static_cast<std::size_t>(parts);
   std::vector<std::size_t> borders(count + 1);
@@ -41,9 +25,10 @@ std::vector<std::size_t> part_borders(std::span<const double> time, int parts) {
   return borders;
 }
 
-std::vector<Part> statistics_by_part(std::span<const double> signal, std::span<const std::size_t> borders) {
+std::vector<Part> statistics_by_part(std::span<const double> signal, std::span<const std::size_t> borders,
+                                     const Selection& selection) {
   const double least = minimum_height(signal);
-  const std::vector<std::size_t> found = counted_peaks(signal);
+  const std::vector<std::size_t> found = counted_peaks(signal, selection);
   double amax = 0.0;
   for (const std::size_t i : found) amax = std::max(amax, signal[i]);
   std::vector<Part> parts;

@@ -31,6 +31,7 @@ std::vector<std::size_t> part_borders(std::size_t samples, int parts);
 /// The same by time: finite, never falling, the last above the first. Parts without a sample are possible.
 std::vector<std::size_t> part_borders(std::span<const double> time, int parts);
 
-std::vector<Part> statistics_by_part(std::span<const double> signal, std::span<const std::size_t> borders);
+std::vector<Part> statistics_by_part(std::span<const double> signal, std::span<const std::size_t> borders,
+                                     const Selection& selection = {});
 
 }  // namespace bitrock::peaks

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "peaks/scan.hpp"
 
@@ -32,7 +33,7 @@ double minimum_height(std::span<const double> signal) {
   return height_threshold * highest_finite(signal);
 }
 
-std::vector<std::size_t> counted_peaks(std::span<const double> signal) {
+std::vector<std::size_t> counted_peaks(std::span<const double> signal, const Selection& selection) {
   std::vector<std::size_t> found;
   const double highest = highest_finite(signal);
   if (highest <= 0.0) return found;
@@ -40,7 +41,7 @@ std::vector<std::size_t> counted_peaks(std::span<const double> signal) {
   for_each_peak(signal, height_threshold * highest, [&](std::size_t i) {
     if (signal[i] < infinity) found.push_back(i);
   });
-  return found;
+  return selected(signal, std::move(found), highest, selection);
 }
 
 PeakStatistics peak_statistics(std::span<const double> signal) {
@@ -49,6 +50,25 @@ PeakStatistics peak_statistics(std::span<const double> signal) {
   // The highest sample nearly always is a peak, hence A_max, and one pass is enough.
   const PeakStatistics statistics = gather(signal, height_threshold * highest, highest);
   return statistics.amax == highest ? statistics : gather(signal, height_threshold * highest, statistics.amax);
+}
+
+PeakStatistics peak_statistics(std::span<const double> signal, const Selection& selection) {
+  const std::vector<std::size_t> found = counted_peaks(signal, selection);
+  double amax = 0.0;
+  for (const std::size_t i : found) amax = std::max(amax, signal[i]);
+  return statistics_of(signal, found, amax);
+}
+
+PeakStatistics statistics_of(std::span<const double> signal, std::span<const std::size_t> found, double amax) {
+  PeakStatistics statistics;
+  double sum = 0.0;
+  for (const std::size_t i : found) {
+    statistics.amax = std::max(statistics.amax, signal[i]);
+    sum += signal[i];
+    count_in_band(statistics, signal[i], amax);
+  }
+  if (!found.empty()) statistics.amean = sum / static_cast<double>(found.size());
+  return statistics;
 }
 
 void count_in_band(PeakStatistics& statistics, double height, double amax) {

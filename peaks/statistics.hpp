@@ -17,6 +17,8 @@
 #include <span>
 #include <vector>
 
+#include "peaks/selection.hpp"
+
 namespace bitrock::peaks {
 
 inline constexpr double height_threshold = 0.01;  ///< of the highest sample [1]
@@ -36,10 +38,14 @@ struct PeakStatistics {
 /// What a peak must exceed: `height_threshold` of the highest finite sample; 0 when none is positive.
 double minimum_height(std::span<const double> signal);
 
-/// Indices of the peaks that count.
-std::vector<std::size_t> counted_peaks(std::span<const double> signal);
+/// Indices of the peaks that count. A selection leaves only those that are prominent, and far enough from higher ones.
+std::vector<std::size_t> counted_peaks(std::span<const double> signal, const Selection& selection = {});
 
 PeakStatistics peak_statistics(std::span<const double> signal);
+PeakStatistics peak_statistics(std::span<const double> signal, const Selection& selection);
+
+/// Of these peaks, with bands that are shares of `amax`.
+PeakStatistics statistics_of(std::span<const double> signal, std::span<const std::size_t> found, double amax);
 
 /// Adds a peak of that height to the count of its band.
 void count_in_band(PeakStatistics& statistics, double height, double amax);

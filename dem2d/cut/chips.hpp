@@ -7,14 +7,14 @@
 /// histories.
 
 #include <algorithm>
-#include <vector>
+#include <span>
 
 namespace bitrock::dem2d {
 
 inline constexpr double chip_climbs_to = 0.15;     ///< of the largest force [1]
 inline constexpr double chip_collapses_to = 0.02;  ///< of the largest force [1]
 
-inline int count_chips(const std::vector<double>& force) {
+inline int count_chips(std::span<const double> force) {
   if (force.empty()) return 0;
   const double largest = *std::max_element(force.begin(), force.end());
   int chips = 0;

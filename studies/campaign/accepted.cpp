@@ -40,9 +40,27 @@ void require_same_cut(const FeatureRow& row, const Job& job, const std::string& 
 
 }  // namespace
 
-void accept(Accepted& accepted, const Study& study, const std::filesystem::path& table) {
+bool is_empty(const Accepted& accepted) {
+  return accepted.rows.empty() && accepted.forces.empty();
+}
+
+const FeatureRow* find(const Accepted& accepted, const std::string& hash) {
+  const auto forces = accepted.forces.find(hash);
+  if (forces != accepted.forces.end()) return &forces->second.cut;
+  const auto row = accepted.rows.find(hash);
+  return row != accepted.rows.end() ? &row->second : nullptr;
+}
+
+namespace {
+
+std::map<std::string, Job> jobs_by_hash(const Study& study) {
   std::map<std::string, Job> by_hash;
   for_each_job(study, [&by_hash](const Job& job) { by_hash.emplace(job_hash(job), job); });
+  return by_hash;
+}
+
+void accept_table(Accepted& accepted, const Study& study, const std::filesystem::path& table) {
+  const std::map<std::string, Job> by_hash = jobs_by_hash(study);
   FeatureTable read = read_features(table);
   for (std::size_t i = 0; i < read.rows.size(); ++i) {
     FeatureRow& row = read.rows[i];
@@ -64,37 +82,84 @@ void accept(Accepted& accepted, const Study& study, const std::filesystem::path&
   }
 }
 
+void accept_forces(Accepted& accepted, const Study& study, const std::filesystem::path& path) {
+  const std::map<std::string, Job> by_hash = jobs_by_hash(study);
+  ForcesFile read = read_forces(path);
+  for (std::size_t i = 0; i < read.cuts.size(); ++i) {
+    CutForces& forces = read.cuts[i];
+    const auto job = by_hash.find(forces.cut.hash);
+    if (job == by_hash.end()) {
+      ++accepted.strangers;
+      continue;
+    }
+    const std::string where = fmt::format("{}: cut {}", path.string(), i), hash = forces.cut.hash;
+    require_same_cut(forces.cut, job->second, where);
+    forces.cut.case_number = job->second.case_number;
+    const auto kept = accepted.forces.find(hash);
+    if (kept == accepted.forces.end()) {
+      accepted.forces.emplace(hash, std::move(forces));
+    } else if (kept->second.x != forces.x || kept->second.y != forces.y) {
+      accepted.warnings.push_back(
+          fmt::format("{}: another cut with the hash {} has other forces; the other stays", where, hash));
+    }
+  }
+}
+
+bool holds_forces(const std::filesystem::path& path) {
+  return path.extension() == ".h5";
+}
+
+std::filesystem::path rows_file(const std::filesystem::path& folder) {
+  return folder / "accepted.csv";
+}
+
+std::filesystem::path forces_file(const std::filesystem::path& folder) {
+  return folder / "accepted.h5";
+}
+
+}  // namespace
+
+void accept(Accepted& accepted, const Study& study, const std::filesystem::path& file) {
+  holds_forces(file) ? accept_forces(accepted, study, file) : accept_table(accepted, study, file);
+}
+
 Accepted accepted_rows(const Study& study, const std::filesystem::path& folder) {
   Accepted accepted;
-  const std::filesystem::path file = folder / "accepted.csv";
-  if (!base::is_there(file)) return accepted;
-  try {
-    accept(accepted, study, file);
-  } catch (const base::InputError& error) {
-    throw base::InputError(
-        fmt::format("{} (mend or remove that line: the other rows are kept; or remove the file, and accept its tables "
-                    "again with --accept; finished runs stay whatever becomes of it)",
-                    error.what()));
+  for (const std::filesystem::path& file : {rows_file(folder), forces_file(folder)}) {
+    if (!base::is_there(file)) continue;
+    try {
+      accept(accepted, study, file);
+    } catch (const base::InputError& error) {
+      throw base::InputError(fmt::format(
+          "{} (mend or remove that line: the other rows are kept; or remove the file, and accept its tables "
+          "again with --accept; finished runs stay whatever becomes of it)",
+          error.what()));
+    }
   }
   return accepted;
 }
 
-Acceptance keep_accepted(const Study& study, const std::filesystem::path& folder, const std::filesystem::path& table) {
-  const std::filesystem::path file = folder / "accepted.csv";
-  const base::FileLock lock = base::FileLock::wait_for(file);  // between reading and writing nobody else adds rows
+Acceptance keep_accepted(const Study& study, const std::filesystem::path& folder, const std::filesystem::path& from) {
+  const base::FileLock lock = base::FileLock::wait_for(rows_file(folder));  // meanwhile nobody else adds any
   Acceptance result{.all = accepted_rows(study, folder)};
-  const auto before = static_cast<int>(result.all.rows.size());
+  const auto count = [&result] { return static_cast<int>(result.all.rows.size() + result.all.forces.size()); };
+  const int before = count();
   result.all.strangers = 0;
   result.all.warnings.clear();
-  accept(result.all, study, table);
-  result.added = static_cast<int>(result.all.rows.size()) - before;
+  accept(result.all, study, from);
+  result.added = count() - before;
   if (result.added == 0) return result;
   std::vector<FeatureRow> rows;
+  ForcesFile forces{.mean_diameter = mean_diameter(study)};
   for_each_job(study, [&](const Job& job) {
-    const auto row = result.all.rows.find(job_hash(job));
+    const std::string hash = job_hash(job);
+    const auto row = result.all.rows.find(hash);
     if (row != result.all.rows.end()) rows.push_back(row->second);
+    const auto cut = result.all.forces.find(hash);
+    if (cut != result.all.forces.end()) forces.cuts.push_back(cut->second);
   });
-  base::write_whole(file, features_csv(rows));
+  holds_forces(from) ? write_forces(forces, forces_file(folder))
+                     : base::write_whole(rows_file(folder), features_csv(rows));
   return result;
 }
 

@@ -1,22 +1,24 @@
 #pragma once
-/// All results of a campaign so far, from run files and accepted rows.
+/// All results of a campaign so far, from run files and accepted cuts.
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "studies/campaign/features.hpp"
+#include "studies/campaign/forces_file.hpp"
 #include "studies/campaign/study.hpp"
 
 namespace bitrock::studies {
 
 struct Collection {
   std::vector<FeatureRow> rows;       ///< of all jobs that are done, in job order
-  std::vector<std::string> warnings;  ///< accepted rows that tell another story than the run file
+  ForcesFile forces;                  ///< of those whose forces are known, in the same order
+  std::vector<std::string> warnings;  ///< cuts that tell another story than the run file, or cannot be used
 };
 
-/// Where there is a run file it wins over an accepted row. Throws `base::InputError` when the folder belongs to another
-/// study, or its accepted rows are damaged.
-Collection collect(const Study& study, const std::filesystem::path& folder);
+/// Peaks by this definition. Where there is a run file it wins over what was accepted, and forces win over a row; a row
+/// that was made by another definition is left out with a warning. Throws `base::InputError` when the folder belongs to
+/// another study, or what it has accepted is damaged.
+Collection collect(const Study& study, const std::filesystem::path& folder, const peaks::PeakDefinition& definition);
 
 }  // namespace bitrock::studies

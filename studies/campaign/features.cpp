@@ -17,7 +17,7 @@ namespace bitrock::studies {
 
 namespace {
 
-using base::deg, base::mm;
+using base::deg, base::mm, base::um;
 
 constexpr double as_it_is = 0.0;  // as unit: every digit; units proper are written with 12 digits
 
@@ -30,11 +30,13 @@ struct Cell {
 };
 
 // The columns come in groups: case and seed, conditions, peak statistics, what else is known of the cut.
-constexpr std::size_t first_condition = 2, first_statistic = 7, first_other = 17, mean_forces = 2;
+// Of the last group, the first have standard errors in the table of means.
+constexpr std::size_t first_condition = 2, first_statistic = 7, first_other = 17, with_errors = 8;
 
 std::vector<Cell> cells(FeatureRow& row) {
   using base::any, base::at_least, base::positive;
   constexpr double one = 1.0;
+  constexpr double rounding = 1e-9;  // of a correlation of two like components
   const base::Range any_int = base::between(0.0, 2147483647.0);
   std::vector<Cell> all{{"case", &row.case_number, as_it_is, any_int},
                         {"seed", &row.seed, as_it_is, any_int},
@@ -54,6 +56,12 @@ std::vector<Cell> cells(FeatureRow& row) {
   const std::vector<Cell> other{
       {"x_mean_N_per_m", &row.mean_force_x, as_it_is, any()},
       {"y_mean_N_per_m", &row.mean_force_y, as_it_is, any()},
+      {"x_sd_N_per_m", &row.sd_x, as_it_is, at_least(0.0)},
+      {"y_sd_N_per_m", &row.sd_y, as_it_is, at_least(0.0)},
+      {"correlation_length_mm", &row.correlation_length, mm, at_least(0.0)},
+      {"xy_correlation", &row.xy_correlation, as_it_is, base::between(-1.0 - rounding, 1.0 + rounding)},
+      {"x_low_force_share", &row.low_share_x, as_it_is, base::between(0.0, 1.0)},
+      {"y_low_force_share", &row.low_share_y, as_it_is, base::between(0.0, 1.0)},
       {"chips", &row.chips, as_it_is, any_int},
       {"cracks_tensile", &row.cracks_tensile, as_it_is, any_int},
       {"cracks_shear", &row.cracks_shear, as_it_is, any_int},
@@ -62,6 +70,10 @@ std::vector<Cell> cells(FeatureRow& row) {
       {"discs", &row.discs, as_it_is, base::between(1.0, 2147483647.0)},
       {"step_s", &row.step, as_it_is, positive()},
       {"core_s", &row.core_time, as_it_is, at_least(0.0)},
+      {"sampling_um", &row.sampling, um, positive()},
+      {"peak_smoothing_um", &row.definition.smoothing, um, at_least(0.0)},
+      {"peak_min_prominence", &row.definition.min_prominence, as_it_is, base::between(0.0, 1.0)},
+      {"peak_min_distance_mm", &row.definition.min_distance, mm, at_least(0.0)},
   };
   all.insert(all.end(), other.begin(), other.end());
   return all;
@@ -96,6 +108,24 @@ std::vector<std::vector<double>> to_columns(const std::vector<std::vector<double
 
 }  // namespace
 
+void fill_statistics(FeatureRow& row, std::span<const double> force_x, std::span<const double> force_y,
+                     const peaks::PeakDefinition& definition) {
+  row.sampling = row.cut_length / static_cast<double>(force_x.size());
+  row.definition = definition;
+  row.x = peaks::peak_statistics(force_x, row.sampling, definition);
+  row.y = peaks::peak_statistics(force_y, row.sampling, definition);
+  const peaks::Moments x = peaks::moments(force_x, row.sampling), y = peaks::moments(force_y, row.sampling);
+  row.mean_force_x = x.mean;
+  row.mean_force_y = y.mean;
+  row.sd_x = x.sd;
+  row.sd_y = y.sd;
+  row.correlation_length = 0.5 * (x.correlation_length + y.correlation_length);
+  row.xy_correlation = peaks::correlation(force_x, force_y);
+  row.low_share_x = x.low_share;
+  row.low_share_y = y.low_share;
+  row.chips = dem2d::count_chips(force_x);
+}
+
 FeatureRow row_of(const Job& job, const dem2d::CutRun& run) {
   return {.case_number = job.case_number,
           .seed = job.seed,
@@ -104,11 +134,6 @@ FeatureRow row_of(const Job& job, const dem2d::CutRun& run) {
           .back_rake = job.cut.back_rake,
           .cut_length = run.cut_length,
           .duration = run.duration,
-          .x = peaks::peak_statistics(run.force_x),
-          .y = peaks::peak_statistics(run.force_y),
-          .mean_force_x = run.mean_force_x,
-          .mean_force_y = run.mean_force_y,
-          .chips = dem2d::count_chips(run.force_x),
           .cracks_tensile = run.cracks_tensile,
           .cracks_shear = run.cracks_shear,
           .energy_residual_fraction = run.energy_residual_fraction,
@@ -117,6 +142,12 @@ FeatureRow row_of(const Job& job, const dem2d::CutRun& run) {
           .step = run.step,
           .core_time = run.core_time,
           .hash = job_hash(job)};
+}
+
+FeatureRow row_of(const Job& job, const dem2d::CutRun& run, const peaks::PeakDefinition& definition) {
+  FeatureRow row = row_of(job, run);
+  fill_statistics(row, run.force_x, run.force_y, definition);
+  return row;
 }
 
 bool same_result(const FeatureRow& a, const FeatureRow& b) {
@@ -182,7 +213,7 @@ std::string features_mean_csv(const std::vector<FeatureRow>& rows) {
   std::vector<std::string> header{"case", "seeds"};
   for (const auto& part :
        {group(first_condition, first_other, ""), group(first_statistic, first_other, "_standard_error"),
-        group(first_other, all.size(), ""), group(first_other, first_other + mean_forces, "_standard_error")}) {
+        group(first_other, all.size(), ""), group(first_other, first_other + with_errors, "_standard_error")}) {
     header.insert(header.end(), part.begin(), part.end());
   }
 
@@ -198,7 +229,7 @@ std::string features_mean_csv(const std::vector<FeatureRow>& rows) {
     for (std::size_t i = first_statistic; i < first_other; ++i) row.push_back(summary[i].mean);
     for (std::size_t i = first_statistic; i < first_other; ++i) row.push_back(summary[i].standard_error);
     for (std::size_t i = first_other; i < all.size(); ++i) row.push_back(summary[i].mean);
-    for (std::size_t i = first_other; i < first_other + mean_forces; ++i) row.push_back(summary[i].standard_error);
+    for (std::size_t i = first_other; i < first_other + with_errors; ++i) row.push_back(summary[i].standard_error);
     values.push_back(std::move(row));
   }
   return base::csv_text(header, to_columns(values, header.size()));

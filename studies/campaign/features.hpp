@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "dem2d/files/run_file.hpp"
-#include "peaks/statistics.hpp"
+#include "peaks/definition.hpp"
+#include "peaks/moments.hpp"
 #include "studies/campaign/study.hpp"
 
 namespace bitrock::studies {
@@ -17,17 +18,29 @@ struct FeatureRow {
   double cut_length = 0.0, duration = 0.0;                         ///< [m], [s]
   peaks::PeakStatistics x, y;                                      ///< heights in N/m
   double mean_force_x = 0.0, mean_force_y = 0.0;                   ///< over the whole cut [N/m]
+  double sd_x = 0.0, sd_y = 0.0;                                   ///< standard deviation over the cut [N/m]
+  double correlation_length = 0.0;                                 ///< mean of x and y (peaks/moments.hpp) [m]
+  double xy_correlation = 0.0;                                     ///< of the two components [1]
+  double low_share_x = 0.0, low_share_y = 0.0;                     ///< of the way, force at most 0.1 of its mean [1]
   int chips = 0;                                                   ///< dem2d/cut/chips.hpp
   int cracks_tensile = 0, cracks_shear = 0;
   double energy_residual_fraction = 0.0;  ///< what the energy ledger cannot find, over the cutter's work [1]
   double energy_injected_fraction = 0.0;  ///< what the scheme gave to the rock, over the cutter's work [1]
   int discs = 0;
-  double step = 0.0;       ///< [s]
-  double core_time = 0.0;  ///< that the cut took on one core; the only number that depends on the machine [s]
-  std::string hash;        ///< of case, rock, seed and physics (`dem2d::cut_hash`)
+  double step = 0.0;                 ///< [s]
+  double core_time = 0.0;            ///< that the cut took on one core; the only number that depends on the machine [s]
+  double sampling = 0.0;             ///< travel between samples of the force [m]
+  peaks::PeakDefinition definition;  ///< of the peaks
+  std::string hash;                  ///< of case, rock, seed and physics (`dem2d::cut_hash`)
 };
 
+/// What is known of a cut beside its forces.
 FeatureRow row_of(const Job& job, const dem2d::CutRun& run);
+FeatureRow row_of(const Job& job, const dem2d::CutRun& run, const peaks::PeakDefinition& definition);
+
+/// All that follows from the force histories [N/m] and the length of the cut. Histories are not empty.
+void fill_statistics(FeatureRow& row, std::span<const double> force_x, std::span<const double> force_y,
+                     const peaks::PeakDefinition& definition);
 
 /// Whether two rows tell the same of a cut, whatever time it took and wherever its case stands in a study.
 bool same_result(const FeatureRow& a, const FeatureRow& b);

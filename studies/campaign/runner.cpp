@@ -155,7 +155,7 @@ std::vector<Job> pending_jobs(const Study& study, const Path& folder, const RunO
   int number = 0;
   for_each_job(study, [&](const Job& job) {
     const bool mine = number++ % options.shards == options.shard - 1;
-    if (!mine || (!accepted.rows.empty() && accepted.rows.contains(job_hash(job)))) return;
+    if (!mine || (!is_empty(accepted) && find(accepted, job_hash(job)) != nullptr)) return;
     if (runs.contains(job_name(job) + ".h5") && finished_run(folder, job)) return;
     pending.push_back(job);
   });

@@ -61,11 +61,11 @@ Survey look(const Study& study, const std::filesystem::path& folder,
     const std::string name = job_name(job);
     // asked first: a job that ends while we look is then counted as running, not as neither running nor done
     const auto record = inventory.holds_record(name) ? running_record(folder, job) : std::nullopt;
-    const auto row = accepted.rows.empty() ? accepted.rows.end() : accepted.rows.find(job_hash(job));
+    const FeatureRow* const row = is_empty(accepted) ? nullptr : find(accepted, job_hash(job));
     const auto file = !record && inventory.holds_run(name) ? finished_run(folder, job) : std::nullopt;
-    if (file || row != accepted.rows.end()) {
+    if (file || row != nullptr) {
       ++status.done;
-      status.core_seconds += file ? file->run.core_time : row->second.core_time;
+      status.core_seconds += file ? file->run.core_time : row->core_time;
       work_done += work(job);
       return;
     }

@@ -288,6 +288,10 @@ std::string exact_toml(const Study& study) {
   return base::to_exact_toml(describe_resolved(copy));
 }
 
+double mean_diameter(const Study& study) {
+  return study.common.rock.radius_min + study.common.rock.radius_max;
+}
+
 int count_jobs(const Study& study) {
   return static_cast<int>(count_cases(study) * study.seeds.size());
 }

@@ -80,6 +80,9 @@ std::string exact_toml(const Study& study);
 
 int count_jobs(const Study& study);
 
+/// Of the grains [m].
+double mean_diameter(const Study& study);
+
 /// All cases times all seeds, in order of case number, then seed, one after the other: a list of a million would fill
 /// the memory. Throws `base::Interrupted` when the user stops the program meanwhile.
 void for_each_job(const Study& study, const std::function<void(const Job&)>& function);

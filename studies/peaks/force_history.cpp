@@ -9,6 +9,8 @@
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
+#include "dem2d/cut/cut_case.hpp"
+#include "peaks/smoothing.hpp"
 
 namespace bitrock::studies {
 
@@ -34,6 +36,11 @@ ForceHistory from_hdf5(const Wish& wish) {
   if (file.has("/force/time_s")) {
     history.time_column = "time_s";
     history.time = file.doubles("/force/time_s");
+  }
+  if (file.has_attribute("cut_length_m") && file.has_attribute("config_toml") && !history.force.empty()) {
+    const dem2d::CutCase cut = dem2d::parse_resolved(file.text_attribute("config_toml"), wish.file);
+    history.spacing = file.number_attribute("cut_length_m") / static_cast<double>(history.force.size());
+    history.mean_diameter = cut.rock.radius_min + cut.rock.radius_max;
   }
   return history;
 }
@@ -169,13 +176,15 @@ ForceHistory read_force_history(const std::string& file, const std::string& colu
   return history;
 }
 
-ForceFindings find_in(const ForceHistory& history, int parts) {
+ForceFindings find_in(const ForceHistory& history, int parts, const peaks::Selection& selection) {
   const std::vector<double>& force = history.force;
   ForceFindings findings;
-  findings.all = peaks::peak_statistics(force);
+  findings.all = peaks::peak_statistics(force, selection);
   findings.zero = peaks::zero_force(force, peaks::minimum_height(force));
-  findings.parts = peaks::statistics_by_part(force, history.time.size() > 1 ? peaks::part_borders(history.time, parts)
-                                                                            : peaks::part_borders(force.size(), parts));
+  findings.parts = peaks::statistics_by_part(
+      force,
+      history.time.size() > 1 ? peaks::part_borders(history.time, parts) : peaks::part_borders(force.size(), parts),
+      selection);
   findings.not_a_number = force.size() - findings.zero.samples;
   findings.infinite =
       static_cast<std::size_t>(std::count(force.begin(), force.end(), std::numeric_limits<double>::infinity()));
@@ -183,6 +192,24 @@ ForceFindings find_in(const ForceHistory& history, int parts) {
   findings.even = evenly_spaced(history.time);
   findings.mean = mean_of_finite(force);
   return findings;
+}
+
+peaks::Selection apply(const PeakWish& wish, ForceHistory& history, const std::string& file) {
+  double smoothing = wish.smoothing;
+  peaks::Selection selection{.min_prominence = wish.min_prominence, .min_distance = wish.min_distance};
+  if (wish.converging) {
+    if (history.spacing == 0.0) {
+      throw base::InputError(fmt::format(
+          "{}: neither the travel between samples nor the size of the grains is known (--definition converging is for "
+          "run files; for other histories give --smoothing and --min-prominence)",
+          file));
+    }
+    const peaks::PeakDefinition definition = peaks::converging(history.mean_diameter);
+    if (smoothing == 0.0) smoothing = definition.smoothing / history.spacing;
+    if (selection.min_prominence == 0.0) selection.min_prominence = definition.min_prominence;
+  }
+  if (smoothing > 0.0) history.force = peaks::smoothed(history.force, smoothing);
+  return selection;
 }
 
 }  // namespace bitrock::studies

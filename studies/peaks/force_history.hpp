@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "peaks/definition.hpp"
 #include "peaks/parts.hpp"
 #include "peaks/statistics.hpp"
 #include "peaks/zero_force.hpp"
@@ -16,6 +17,8 @@ struct ForceHistory {
   std::vector<double> time;                ///< [s]; empty when there are none
   std::vector<double> force;               ///< [unit of the column]; NaN where a sample is missing
   std::vector<std::string> other_columns;  ///< of a CSV: beside force and time
+  double spacing = 0.0;                    ///< travel between samples, of a run file; 0: not known [m]
+  double mean_diameter = 0.0;              ///< of the grains, of a run file; 0: not known [m]
 };
 
 /// `column`: which force; empty for x_N_per_m of a run, or the only CSV column beside the time. `time`: which CSV
@@ -35,6 +38,18 @@ struct ForceFindings {
 };
 
 /// `parts`: so many equal parts of the time, or of the samples when there are no times.
-ForceFindings find_in(const ForceHistory& history, int parts);
+ForceFindings find_in(const ForceHistory& history, int parts, const peaks::Selection& selection = {});
+
+/// What somebody asks of peaks beyond the article's definition.
+struct PeakWish {
+  bool converging = false;      ///< the definition of that name (peaks/definition.hpp)
+  double smoothing = 0.0;       ///< [samples]; 0: that of the definition
+  double min_prominence = 0.0;  ///< share of the highest sample [1]; 0: that of the definition
+  double min_distance = 0.0;    ///< [samples]
+};
+
+/// Smooths the force of the history as is asked for; what remains to be done is the selection. Throws `InputError` when
+/// the converging definition is asked of a file that knows neither travel nor grains.
+peaks::Selection apply(const PeakWish& wish, ForceHistory& history, const std::string& file);
 
 }  // namespace bitrock::studies

@@ -2,6 +2,7 @@
 /// A study of cuts that are never made, and run files as if they had been.
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/files.hpp"
@@ -35,8 +36,9 @@ inline dem2d::CutRun made_up_run(const studies::Job& job) {
   run.bed_origin = dem2d::origin_genesis;
   for (int i = 0; i < 60; ++i) {
     run.time.push_back(1e-3 * (i + 1));
-    run.force_x.push_back(scale * (1.0 + std::sin(0.3 * i)));
-    run.force_y.push_back(scale * (2.0 + std::sin(0.3 * i)));
+    const double wave = std::sin(2.0 * std::numbers::pi * i / 20.0);
+    run.force_x.push_back(scale * (1.0 + wave));
+    run.force_y.push_back(scale * (2.0 + wave));
   }
   run.cracks = {{.mode = dem2d::ElementState::broken_in_tension},
                 {.mode = dem2d::ElementState::broken_in_shear},

@@ -19,6 +19,7 @@ namespace {
 std::filesystem::path save(const std::string& name) {
   base::Hdf5Writer writer;
   writer.array("/force/x_N_per_m", std::vector<double>{1.0, -2.5, 1e300}, "N/m", "force");
+  writer.array("/force/short", std::vector<float>{1.5F, -2.5F, 3e38F, 1e-40F}, "N/m", "force in 32 bits");
   writer.array("/cracks/mode", std::vector<int>{1, 2}, "1", "mode");
   writer.array("/empty", std::vector<double>{}, "1", "nothing");
   writer.attribute("seed", 7LL);
@@ -32,6 +33,7 @@ std::filesystem::path save(const std::string& name) {
 TEST(Hdf5, RoundTrip) {
   const base::Hdf5Reader reader(save("round.h5"));
   EXPECT_EQ(reader.doubles("/force/x_N_per_m"), (std::vector<double>{1.0, -2.5, 1e300}));
+  EXPECT_EQ(reader.doubles("/force/short"), (std::vector<double>{1.5, -2.5, 3e38F, 1e-40F}));
   EXPECT_EQ(reader.ints("/cracks/mode"), (std::vector<int>{1, 2}));
   EXPECT_TRUE(reader.doubles("/empty").empty());
   EXPECT_EQ(reader.number_attribute("seed"), 7.0);

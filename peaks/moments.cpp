@@ -1,0 +1,65 @@
+#include "peaks/moments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace bitrock::peaks {
+
+namespace {
+
+double mean_of(std::span<const double> signal) {
+  double sum = 0.0;
+  for (const double value : signal) sum += value;
+  return sum / static_cast<double>(signal.size());
+}
+
+std::vector<double> deviations(std::span<const double> signal, double mean) {
+  std::vector<double> deviation(signal.begin(), signal.end());
+  for (double& value : deviation) value -= mean;
+  return deviation;
+}
+
+/// sum a_i b_{i+lag}.
+double product(std::span<const double> a, std::span<const double> b, std::size_t lag) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + lag < b.size(); ++i) sum += a[i] * b[i + lag];
+  return sum;
+}
+
+/// In samples.
+double first_lag_at_one_over_e(std::span<const double> deviation, double square) {
+  double before = 1.0;
+  for (std::size_t lag = 1; lag < deviation.size(); ++lag) {
+    const double now = product(deviation, deviation, lag) / square;
+    if (now <= 1.0 / std::numbers::e) return static_cast<double>(lag) - (1.0 / std::numbers::e - now) / (before - now);
+    before = now;
+  }
+  return static_cast<double>(deviation.size());
+}
+
+}  // namespace
+
+Moments moments(std::span<const double> signal, double spacing) {
+  if (signal.empty()) return {};
+  const auto samples = static_cast<double>(signal.size());
+  Moments found{.mean = mean_of(signal)};
+  const std::vector<double> deviation = deviations(signal, found.mean);
+  const double square = product(deviation, deviation, 0);
+  found.sd = std::sqrt(square / samples);
+  if (square > 0.0) found.correlation_length = spacing * first_lag_at_one_over_e(deviation, square);
+  const auto low = std::count_if(signal.begin(), signal.end(),
+                                 [least = low_force * found.mean](double value) { return value <= least; });
+  found.low_share = static_cast<double>(low) / samples;
+  return found;
+}
+
+double correlation(std::span<const double> x, std::span<const double> y) {
+  if (x.empty()) return 0.0;
+  const std::vector<double> a = deviations(x, mean_of(x)), b = deviations(y, mean_of(y));
+  const double squares = product(a, a, 0) * product(b, b, 0);
+  return squares > 0.0 ? product(a, b, 0) / std::sqrt(squares) : 0.0;
+}
+
+}  // namespace bitrock::peaks
