@@ -28,15 +28,28 @@ double product(std::span<const double> a, std::span<const double> b, std::size_t
   return sum;
 }
 
-/// In samples.
-double first_lag_at_one_over_e(std::span<const double> deviation, double square) {
+constexpr double usual_level = 1.0 / std::numbers::e, short_level = 0.75;  // of the autocorrelation [1]
+
+/// The first lags at which the autocorrelation has fallen to both levels [samples].
+struct Lags {
+  double usual, brief;
+};
+
+Lags first_lags(std::span<const double> deviation, double square) {
+  const auto end = static_cast<double>(deviation.size());
+  Lags lags{end, end};
   double before = 1.0;
   for (std::size_t lag = 1; lag < deviation.size(); ++lag) {
     const double now = product(deviation, deviation, lag) / square;
-    if (now <= 1.0 / std::numbers::e) return static_cast<double>(lag) - (1.0 / std::numbers::e - now) / (before - now);
+    const auto reached = [&](double level) { return static_cast<double>(lag) - (level - now) / (before - now); };
+    if (now <= short_level && lags.brief == end) lags.brief = reached(short_level);
+    if (now <= usual_level) {
+      lags.usual = reached(usual_level);
+      break;
+    }
     before = now;
   }
-  return static_cast<double>(deviation.size());
+  return lags;
 }
 
 }  // namespace
@@ -48,7 +61,11 @@ Moments moments(std::span<const double> signal, double spacing) {
   const std::vector<double> deviation = deviations(signal, found.mean);
   const double square = product(deviation, deviation, 0);
   found.sd = std::sqrt(square / samples);
-  if (square > 0.0) found.correlation_length = spacing * first_lag_at_one_over_e(deviation, square);
+  if (square > 0.0) {
+    const Lags lags = first_lags(deviation, square);
+    found.correlation_length = spacing * lags.usual;
+    found.short_correlation_length = spacing * lags.brief;
+  }
   const auto low = std::count_if(signal.begin(), signal.end(),
                                  [least = low_force * found.mean](double value) { return value <= least; });
   found.low_share = static_cast<double>(low) / samples;

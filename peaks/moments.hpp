@@ -7,6 +7,7 @@
 ///     m = sum f_i / n      sd = sqrt(sum (f_i - m)^2 / n)
 ///     R(k) = sum_{i=1}^{n-k} (f_i - m)(f_{i+k} - m) / (n sd^2)          autocorrelation at the lag k s
 ///     correlation length: the first lag at which R has fallen to 1/e, between samples by a straight line
+///     short correlation length: the same for 3/4; the smaller a share it is of the other, the more mixed the lengths
 ///     low-force share: samples with f_i <= 0.1 m, over n
 ///     correlation of x and y: sum (x_i - m_x)(y_i - m_y) / (n sd_x sd_y)
 ///
@@ -19,10 +20,11 @@
 namespace bitrock::peaks {
 
 struct Moments {
-  double mean = 0.0;                ///< [unit of the signal]
-  double sd = 0.0;                  ///< [unit of the signal]
-  double correlation_length = 0.0;  ///< [unit of `spacing`]
-  double low_share = 0.0;           ///< [1]
+  double mean = 0.0;                      ///< [unit of the signal]
+  double sd = 0.0;                        ///< [unit of the signal]
+  double correlation_length = 0.0;        ///< [unit of `spacing`]
+  double short_correlation_length = 0.0;  ///< [unit of `spacing`]
+  double low_share = 0.0;                 ///< [1]
 };
 
 inline constexpr double low_force = 0.1;  ///< of the mean [1]

@@ -31,7 +31,7 @@ struct Cell {
 
 // The columns come in groups: case and seed, conditions, peak statistics, what else is known of the cut.
 // Of the last group, the first have standard errors in the table of means.
-constexpr std::size_t first_condition = 2, first_statistic = 7, first_other = 17, with_errors = 8;
+constexpr std::size_t first_condition = 2, first_statistic = 7, first_other = 17, with_errors = 9;
 
 std::vector<Cell> cells(FeatureRow& row) {
   using base::any, base::at_least, base::positive;
@@ -59,6 +59,7 @@ std::vector<Cell> cells(FeatureRow& row) {
       {"x_sd_N_per_m", &row.sd_x, as_it_is, at_least(0.0)},
       {"y_sd_N_per_m", &row.sd_y, as_it_is, at_least(0.0)},
       {"correlation_length_mm", &row.correlation_length, mm, at_least(0.0)},
+      {"short_correlation_length_mm", &row.short_correlation_length, mm, at_least(0.0)},
       {"xy_correlation", &row.xy_correlation, as_it_is, base::between(-1.0 - rounding, 1.0 + rounding)},
       {"x_low_force_share", &row.low_share_x, as_it_is, base::between(0.0, 1.0)},
       {"y_low_force_share", &row.low_share_y, as_it_is, base::between(0.0, 1.0)},
@@ -120,6 +121,7 @@ void fill_statistics(FeatureRow& row, std::span<const double> force_x, std::span
   row.sd_x = x.sd;
   row.sd_y = y.sd;
   row.correlation_length = 0.5 * (x.correlation_length + y.correlation_length);
+  row.short_correlation_length = 0.5 * (x.short_correlation_length + y.short_correlation_length);
   row.xy_correlation = peaks::correlation(force_x, force_y);
   row.low_share_x = x.low_share;
   row.low_share_y = y.low_share;

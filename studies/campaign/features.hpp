@@ -14,15 +14,15 @@ namespace bitrock::studies {
 
 struct FeatureRow {
   int case_number = 0, seed = 0;
-  double cutter_speed = 0.0, depth_of_cut = 0.0, back_rake = 0.0;  ///< [m/s], [m], [rad]
-  double cut_length = 0.0, duration = 0.0;                         ///< [m], [s]
-  peaks::PeakStatistics x, y;                                      ///< heights in N/m
-  double mean_force_x = 0.0, mean_force_y = 0.0;                   ///< over the whole cut [N/m]
-  double sd_x = 0.0, sd_y = 0.0;                                   ///< standard deviation over the cut [N/m]
-  double correlation_length = 0.0;                                 ///< mean of x and y (peaks/moments.hpp) [m]
-  double xy_correlation = 0.0;                                     ///< of the two components [1]
-  double low_share_x = 0.0, low_share_y = 0.0;                     ///< of the way, force at most 0.1 of its mean [1]
-  int chips = 0;                                                   ///< dem2d/cut/chips.hpp
+  double cutter_speed = 0.0, depth_of_cut = 0.0, back_rake = 0.0;   ///< [m/s], [m], [rad]
+  double cut_length = 0.0, duration = 0.0;                          ///< [m], [s]
+  peaks::PeakStatistics x, y;                                       ///< heights in N/m
+  double mean_force_x = 0.0, mean_force_y = 0.0;                    ///< over the whole cut [N/m]
+  double sd_x = 0.0, sd_y = 0.0;                                    ///< standard deviation over the cut [N/m]
+  double correlation_length = 0.0, short_correlation_length = 0.0;  ///< means of x and y (peaks/moments.hpp) [m]
+  double xy_correlation = 0.0;                                      ///< of the two components [1]
+  double low_share_x = 0.0, low_share_y = 0.0;                      ///< of the way, force at most 0.1 of its mean [1]
+  int chips = 0;                                                    ///< dem2d/cut/chips.hpp
   int cracks_tensile = 0, cracks_shear = 0;
   double energy_residual_fraction = 0.0;  ///< what the energy ledger cannot find, over the cutter's work [1]
   double energy_injected_fraction = 0.0;  ///< what the scheme gave to the rock, over the cutter's work [1]

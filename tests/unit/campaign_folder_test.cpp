@@ -127,7 +127,8 @@ TEST_F(Folder, FeaturesTellWhatTheRunsTell) {
   EXPECT_EQ(text.substr(0, text.find('\n')),
             "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,duration_s,"
             "x_amax_N_per_m,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4,"
-            "x_mean_N_per_m,y_mean_N_per_m,x_sd_N_per_m,y_sd_N_per_m,correlation_length_mm,xy_correlation,"
+            "x_mean_N_per_m,y_mean_N_per_m,x_sd_N_per_m,y_sd_N_per_m,correlation_length_mm,short_correlation_length_mm,"
+            "xy_correlation,"
             "x_low_force_share,y_low_force_share,chips,cracks_tensile,cracks_shear,energy_residual_fraction,"
             "energy_injected_fraction,discs,step_s,core_s,sampling_um,peak_smoothing_um,peak_min_prominence,"
             "peak_min_distance_mm,hash");

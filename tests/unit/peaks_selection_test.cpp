@@ -166,6 +166,7 @@ TEST(Moments, OfASineAreKnown) {
   EXPECT_NEAR(found.sd, std::sqrt(2.0), 1e-9);
   // cos(2 pi lag / wave) = 1/e, and the record is 100 waves: its R is low by the share of the lag
   EXPECT_NEAR(found.correlation_length, std::acos(1.0 / M_E) / (2.0 * M_PI) * wave, 2e-3 * wave);
+  EXPECT_NEAR(found.short_correlation_length, std::acos(0.75) / (2.0 * M_PI) * wave, 2e-3 * wave);
   EXPECT_EQ(found.low_share, 0.0);
   EXPECT_NEAR(peaks::correlation(x, y), 0.5, 1e-9);
 }
@@ -175,6 +176,7 @@ TEST(Moments, OfAConstantAndOfNothing) {
   EXPECT_EQ(constant.mean, 4.0);
   EXPECT_EQ(constant.sd, 0.0);
   EXPECT_EQ(constant.correlation_length, 0.0);
+  EXPECT_EQ(constant.short_correlation_length, 0.0);
   EXPECT_EQ(peaks::correlation(Values(10, 4.0), Values(10, 1.0)), 0.0);
   EXPECT_EQ(peaks::moments(Values{}, 1.0).mean, 0.0);
 }
