@@ -27,7 +27,6 @@ CLI::App* add_campaign_action(CLI::App& campaign, const std::string& name, const
 /// `--dir`, which must be given.
 void add_campaign_folder(CLI::App& action, CampaignOptions& options);
 
-nlohmann::json as_json(const studies::Status& status);
 void print(const CampaignOptions& options, const studies::Status& status);
 
 void add_campaign_plan(CLI::App& campaign);

@@ -118,7 +118,7 @@ def json_section(name, value):
 
 def pages(build):
     """name -> text"""
-    program, lists = str(build / "cli/bitrock"), str(build / "cli/reference_pages")
+    program, lists = str(build / "cli/bitrock"), str(build / "docs/reference/reference_pages")
     made = {"keys.md": ran(lists, ["keys"], "."), "flags.md": ran(lists, ["flags"], ".")}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
