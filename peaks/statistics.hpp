@@ -30,6 +30,7 @@ struct PeakStatistics {
   int np23 = 0;        ///< peaks in the middle band
   int np4 = 0;         ///< peaks in the lower band
 
+  /// All peaks.
   int count() const { return np1 + np23 + np4; }
 };
 
@@ -39,6 +40,7 @@ double minimum_height(std::span<const double> signal);
 /// Indices of the peaks that count.
 std::vector<std::size_t> counted_peaks(std::span<const double> signal);
 
+/// Of a signal; all zero for one without a peak.
 PeakStatistics peak_statistics(std::span<const double> signal);
 
 /// Adds a peak of that height to the count of its band.
