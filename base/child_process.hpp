@@ -10,6 +10,7 @@
 
 namespace bitrock::base {
 
+/// How a program ended that was started.
 struct ProgramEnd {
   int status = 0;      ///< exit status, or 128 + the number of the signal that ended it
   std::string output;  ///< what it printed, standard output and error together

@@ -16,7 +16,9 @@ namespace bitrock::base {
 
 /// Allowed values, in the unit of the file.
 struct Range {
+  /// The least allowed value.
   double low = -std::numeric_limits<double>::infinity();
+  /// The greatest allowed value.
   double high = std::numeric_limits<double>::infinity();
   bool low_open = false;   ///< true: `low` itself is not allowed
   bool high_open = false;  ///< true: `high` itself is not allowed
@@ -26,25 +28,31 @@ struct Range {
   std::string text() const;           ///< "> 0", "from 0 to 90", ...
 };
 
+/// Every finite number.
 inline Range any() {
   return {};
 }
+/// Above 0.
 inline Range positive() {
   return {.low = 0.0, .low_open = true};
 }
+/// From `low` on.
 inline Range at_least(double low) {
   return {.low = low};
 }
+/// From `low` to `high`, both included.
 inline Range between(double low, double high) {
   return {.low = low, .high = high};
 }
 
+/// 0, or from `low` to `high`.
 inline Range zero_or(double low, double high) {
   return {.low = low, .high = high, .or_zero = true};
 }
 
 using FieldTarget = std::variant<double*, int*, bool*, std::string*, std::vector<double>*, std::vector<int>*>;
 
+/// One key of a table and where its value goes.
 struct Field {
   std::string name;       ///< key, ends in its unit
   FieldTarget target;     ///< read into, and written out from
@@ -54,9 +62,10 @@ struct Field {
   bool required = false;  ///< otherwise the value already in the target is the default
 };
 
+/// One table of a file: its name and its keys.
 struct Section {
-  std::string name;  ///< TOML table; empty for the top level
-  std::vector<Field> fields;
+  std::string name;           ///< TOML table; empty for the top level
+  std::vector<Field> fields;  ///< in the order of the file
 };
 
 /// A value in the unit of its key need not lead back to the very bits of the SI value it was written from. Where no
@@ -69,6 +78,7 @@ class ConfigFile {
  public:
   /// Throws `InputError` with file, line and column when the text is not TOML.
   static ConfigFile read(const std::filesystem::path& path);
+  /// Throws `InputError` when the text is no TOML; `name` stands in the messages.
   static ConfigFile from_text(std::string_view text, const std::string& name);
   ~ConfigFile();
   ConfigFile(ConfigFile&&) noexcept;
@@ -92,6 +102,7 @@ class ConfigFile {
 
   /// A path written in the file, taken relative to the file's own folder.
   std::filesystem::path resolve(const std::string& path) const;
+  /// The file, for messages.
   const std::string& name() const;
 
  private:

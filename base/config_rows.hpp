@@ -14,7 +14,7 @@ struct KeyRow {
   std::string key;       ///< ends in its unit
   std::string standard;  ///< value of a key that is left out, in the unit of the key; "required"; "none"
   std::string allowed;   ///< empty for what is no number
-  std::string meaning;
+  std::string meaning;   ///< as in the list of the reader
 };
 
 /// A row a field. The targets of the fields must hold their defaults. A default out of its own range means none.

@@ -22,7 +22,9 @@ struct CsvTable {
   std::map<std::string, std::vector<std::string>> texts;  ///< columns of text, by name
   std::vector<int> lines;                                 ///< source line of each row
 
+  /// Number of rows below the header.
   std::size_t rows() const { return lines.size(); }
+  /// Whether there is a column of that name.
   bool has(const std::string& name) const;
   /// The column of that name; throws `InputError` naming the nearest existing one when it is missing, and the place of
   /// the first cell that is no number, or that the name stands twice.

@@ -10,9 +10,10 @@
 
 namespace bitrock::base {
 
+/// One cell: its text, without quotes.
 struct CsvCell {
   std::string_view text;  ///< without the blanks around it, and without its quotes
-  bool quoted = false;
+  bool quoted = false;    ///< stood in quotes
 };
 
 class CsvRows {

@@ -10,11 +10,13 @@ namespace bitrock::base {
 
 /// The user's input is wrong: a file, a key, a flag. Exit status 2.
 struct InputError : std::runtime_error {
+  /// The message is for the user: what is wrong, where, what is allowed.
   explicit InputError(const std::string& message);
 };
 
 /// The computation failed although the input was acceptable: not a number, no convergence, disk full. Exit status 3.
 struct SimulationError : std::runtime_error {
+  /// The message says what could not be computed, and why.
   explicit SimulationError(const std::string& message);
 };
 

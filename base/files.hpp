@@ -28,7 +28,9 @@ class PartFile {
   PartFile(const PartFile&) = delete;
   PartFile& operator=(const PartFile&) = delete;
 
+  /// The name it has until it is whole.
   const std::filesystem::path& name() const { return part_; }
+  /// For the calls of the system.
   int descriptor() const { return descriptor_; }
   /// Flushes it to the disk and gives it the final name: a file with its final name is whole.
   void put_in_place();

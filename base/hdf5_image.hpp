@@ -16,21 +16,24 @@ namespace bitrock::base {
 /// What one value is. All numbers are little-endian.
 enum class Hdf5Kind { byte, int32, int64, real32, real64, text };
 
+/// One value of the root group.
 struct Hdf5Attribute {
-  Hdf5Kind kind{};
+  Hdf5Kind kind{};         ///< what the value is
   std::string_view bytes;  ///< of its one value
 };
 
 /// A piece of an array as it is stored: its values, passed through the filters of the array.
 struct Hdf5Chunk {
-  std::string_view bytes;
+  std::string_view bytes;     ///< as they stand in the file
   std::uint32_t skipped = 0;  ///< bit i: filter i was not applied
 };
 
+/// What a piece of an array has passed through.
 enum class Hdf5Filter : std::uint16_t { deflate = 1, shuffle = 2, fletcher32 = 3 };
 
+/// Where an array lies and how it is stored.
 struct Hdf5Array {
-  Hdf5Kind kind{};
+  Hdf5Kind kind{};                  ///< of each value
   std::size_t count = 0;            ///< of values
   std::size_t chunk_count = 0;      ///< of values in each chunk; the last may hold fewer that count
   std::vector<Hdf5Filter> filters;  ///< in the order in which they were applied

@@ -10,13 +10,14 @@ namespace bitrock::base {
 
 /// How the names of a series are made: `begin`, a whole number from 0 with at least `digits` digits, `end`.
 struct Series {
-  std::string begin, end;
-  int digits = 1;
+  std::string begin, end;  ///< the name before and behind the number
+  int digits = 1;          ///< digits of the number, with leading zeros
 };
 
+/// A file of the pattern.
 struct NumberedFile {
-  std::filesystem::path path;
-  long long number = 0;
+  std::filesystem::path path;  ///< the file itself
+  long long number = 0;        ///< the one in its name
 };
 
 /// Those there are, by number; nothing when there is no such folder. Other files are passed over, also such as

@@ -22,6 +22,7 @@ void for_each_index(int count, int jobs, const std::function<void(int)>& functio
 /// Adds up what several pieces report at a time, and tells a listener (sum, number of pieces).
 class SharedProgress {
  public:
+  /// So many pieces of work, whose shares the listener hears as one.
   SharedProgress(std::size_t pieces, ProgressCallback listener) : done_(pieces, 0.0), listener_(std::move(listener)) {}
 
   /// `share` of this piece, from 0 to 1.

@@ -10,7 +10,7 @@
 
 namespace bitrock::base {
 
-using Random = std::mt19937_64;
+using Random = std::mt19937_64;  ///< the standard's generator: the same numbers on every machine
 
 /// Uniform in [0, 1) with 53 random bits.
 inline double uniform(Random& random) {

@@ -7,6 +7,7 @@
 
 namespace bitrock::base {
 
+/// Power over frequency.
 struct Spectrum {
   std::vector<double> frequency;    ///< [Hz] 0, rate / L, 2 rate / L, ... up to half the rate
   std::vector<double> density;      ///< [X^2/Hz] X the unit of the signal; one-sided

@@ -6,6 +6,7 @@
 
 namespace bitrock::base {
 
+/// Set by Ctrl-C; computations look at it between steps.
 std::atomic<bool>& stop_requested();
 
 /// Throws `Interrupted` when a stop was requested.
@@ -20,6 +21,7 @@ class Saving {
   Saving(const Saving&) = delete;
   Saving& operator=(const Saving&) = delete;
 };
+/// Whether something is being saved, which Ctrl-C may not cut short.
 bool is_saving();
 
 }  // namespace bitrock::base

@@ -12,6 +12,7 @@ namespace bitrock::base {
 class TemporaryFolder {
  public:
   TemporaryFolder();
+  /// Exists until the object goes.
   const std::filesystem::path& path() const { return path_; }
 
  private:

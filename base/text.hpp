@@ -11,7 +11,7 @@ namespace bitrock::base {
 
 /// As much of a text from outside as a message shows [bytes]: some ten lines of a terminal.
 inline constexpr std::size_t longest_shown = 2000;
-inline constexpr std::size_t all_of_it = std::string_view::npos;
+inline constexpr std::size_t all_of_it = std::string_view::npos;  ///< as a length: no limit
 
 /// A text from outside (a cell, a key, a name of a file, the words of another program) as it may be shown: good UTF-8,
 /// new lines and tabs stay. Bytes that are no UTF-8 and control characters, which could steer a terminal, become \x1B;

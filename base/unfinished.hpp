@@ -11,6 +11,7 @@ namespace bitrock::base {
 class Unfinished {
  public:
   Unfinished();
+  /// Begins with one file.
   explicit Unfinished(const std::filesystem::path& path) : Unfinished() { add(path); }
   ~Unfinished();
   Unfinished(const Unfinished&) = delete;

@@ -4,7 +4,7 @@
 
 namespace bitrock::base {
 
-extern const char* const version;
+extern const char* const version;  ///< "0.2.0"
 /// Twelve digits, with "-dirty" behind them when files differed from the commit; "unknown: ..." where nobody knows.
 extern const char* const git_commit;
 

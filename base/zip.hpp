@@ -9,8 +9,8 @@
 namespace bitrock::base {
 
 struct ZipEntry {
-  std::string name;  ///< with / between folders, no / in front
-  std::string_view bytes;
+  std::string name;        ///< with / between folders, no / in front
+  std::string_view bytes;  ///< of the file, unpacked
 };
 
 /// The bytes of the archive, files in the order given, all dated 1980-01-01 00:00 (the earliest there is), so that the

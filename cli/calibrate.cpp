@@ -14,12 +14,11 @@
 #include "studies/calibrate/cost.hpp"
 #include "studies/calibrate/laboratory.hpp"
 #include "views/json/calibration_json.hpp"
+#include "views/text/calibration_lines.hpp"
 
 namespace bitrock::cli {
 
 namespace {
-
-using studies::Property;
 
 struct Options {
   CommonOptions common;
@@ -38,32 +37,6 @@ std::vector<int> fresh_seeds(const Options& options, const studies::CalibrationT
                                        options.validate_seeds, begin, end - 1));
   }
   return seeds;
-}
-
-std::string micro_text(const studies::Micro& micro) {
-  return fmt::format("E* {:.4g} GPa, kappa {:.4g}, tensile {:.4g} MPa, cohesion {:.4g} MPa, friction {:.3g}",
-                     base::in_units(micro[0], base::GPa), micro[1], base::in_units(micro[2], base::MPa),
-                     base::in_units(micro[3], base::MPa), micro[4]);
-}
-
-void print_evaluation(const Options& options, const studies::CalibrationTarget& target,
-                      const studies::Evaluation& evaluation, int number) {
-  say(options.common, "evaluation {}: {}\n", number, micro_text(evaluation.micro));
-  std::string text;
-  int specimens = 0;
-  for (const Property property : studies::all_properties) {
-    const base::Summary& measured = evaluation.measured[studies::index_of(property)];
-    if (!studies::is_wanted(target, property) || measured.count == 0) continue;
-    const studies::PropertyWords& words = studies::words_of(property);
-    const double error = studies::error_of(property, measured.mean, target.wanted[studies::index_of(property)]);
-    text += fmt::format("{}{} {:.4g}{}{} ({})", text.empty() ? "" : ", ", words.name, measured.mean / words.si_per_unit,
-                        *words.unit == '\0' ? "" : " ", words.unit,
-                        words.relative_error ? fmt::format("{:+.1f} %", 100.0 * error) : fmt::format("{:+.3f}", error));
-    specimens = measured.count;
-  }
-  if (specimens == 0) text = "no result: " + evaluation.failure;
-  say(options.common, "    {} specimens: {}\n", specimens, text);
-  std::fflush(stdout);
 }
 
 void print_plan(const Options& options, const studies::CalibrationTarget& target) {
@@ -142,7 +115,7 @@ void run_calibration(const Options& options, const studies::CalibrationTarget& t
         return evaluate(options, laboratory, micro, studies::seeds_from(first, seeds));
       },
       [&](const studies::Evaluation& evaluation, int number) {
-        print_evaluation(options, target, evaluation, number);
+        say(options.common, "{}", views::evaluation_lines(target, evaluation, number));
       });
   const auto wall = [started] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -10,6 +10,7 @@
 #include "studies/campaign/folder.hpp"
 #include "studies/campaign/plan.hpp"
 #include "studies/campaign/runner.hpp"
+#include "views/json/campaign_json.hpp"
 
 namespace bitrock::cli {
 
@@ -19,10 +20,6 @@ struct RunFlags : AcceptOptions {
   int workers = 1;
   std::string shard = "1/1";
 };
-
-nlohmann::json or_null(const std::optional<double>& value) {
-  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
-}
 
 /// "i/n" with 1 <= i <= n.
 void parse_shard(const std::string& text, studies::RunOptions& run) {
@@ -161,17 +158,6 @@ void add_campaign_folder(CLI::App& action, CampaignOptions& options) {
       ->check(not_empty());
 }
 
-nlohmann::json as_json(const studies::Status& status) {
-  return {{"cases", status.cases},
-          {"done", status.done},
-          {"running", status.running},
-          {"failed", status.failed},
-          {"remaining", status.remaining},
-          {"core_seconds", status.core_seconds},
-          {"core_seconds_left", or_null(status.core_left)},
-          {"time_left_s", or_null(status.time_left)}};
-}
-
 void print(const CampaignOptions& options, const studies::Status& status) {
   std::string rest;
   if (status.time_left && *status.time_left > 0.0) {
@@ -182,7 +168,7 @@ void print(const CampaignOptions& options, const studies::Status& status) {
   say(options.common, "{} of {} runs done, {} running, {} failed, {} remaining; {} of one core spent{}\n", status.done,
       status.cases, status.running, status.failed, status.remaining, base::readable_duration(status.core_seconds),
       rest);
-  write_json(options.common, as_json(status));
+  write_json(options.common, views::as_json(status));
 }
 
 void add_campaign(CLI::App& app) {

@@ -37,7 +37,6 @@ void add_campaign_folder(CLI::App& action, CampaignOptions& options);
 void add_accept(CLI::App& action, AcceptOptions& options);
 void accept_cuts(const AcceptOptions& options, const studies::Study& study);
 
-nlohmann::json as_json(const studies::Status& status);
 void print(const CampaignOptions& options, const studies::Status& status);
 
 void add_campaign_plan(CLI::App& campaign);

@@ -1,17 +1,13 @@
 // bitrock campaign plan: what a study will cost.
 #include "studies/campaign/plan.hpp"
 
-#include <ranges>
-
-#include "base/units.hpp"
 #include "cli/campaign.hpp"
+#include "views/json/campaign_json.hpp"
+#include "views/text/campaign_plan_lines.hpp"
 
 namespace bitrock::cli {
 
 namespace {
-
-constexpr double seconds_per_hour = 3600.0;
-constexpr std::size_t most_lines = 20;  // of depths: a table may hold a million
 
 struct Options {
   CampaignOptions campaign;
@@ -22,36 +18,10 @@ struct Options {
 
 void print_plan(const CampaignOptions& options, const studies::Study& study, double ns_per_disc_step) {
   const studies::Plan plan = studies::plan(study, options.folder, ns_per_disc_step);
-  const int remaining = plan.jobs - plan.done - plan.failed;
-  say(options.common, "{} cases, {} cuts: {} done, {} failed, {} remaining; {} rocks, {} to be made\n", plan.cases,
-      plan.jobs, plan.done, plan.failed, remaining, plan.rocks, plan.rocks_to_make);
-  for (const studies::PlanPart& part : plan.parts | std::views::take(most_lines)) {
-    say(options.common,
-        "depth {:g} mm: {} cuts of {:g} mm in {:g} x {:g} mm, {:.0f} discs; {:.3g} steps, {:.3g} core-hours\n",
-        base::in_units(part.depth_of_cut, base::mm), part.jobs, base::in_units(part.cut_length, base::mm),
-        base::in_units(part.bed_length, base::mm), base::in_units(part.bed_height, base::mm), part.discs, part.steps,
-        part.core_time / seconds_per_hour);
-  }
-  if (plan.parts.size() > most_lines) say(options.common, "and {} more depths\n", plan.parts.size() - most_lines);
-  say(options.common,
-      "{:.3g} steps, {:.3g} disc-steps: about {:.3g} core-hours at {:g} ns per disc and step; the longest "
-      "cut {}\n",
-      plan.steps, plan.disc_steps, plan.core_time / seconds_per_hour, ns_per_disc_step,
-      base::readable_duration(plan.longest_cut));
-  write_json(options.common, {{"cases", plan.cases},
-                              {"jobs", plan.jobs},
-                              {"done", plan.done},
-                              {"failed", plan.failed},
-                              {"remaining", remaining},
-                              {"core_seconds", plan.core_seconds},
-                              {"rocks", plan.rocks},
-                              {"rocks_to_make", plan.rocks_to_make},
-                              {"most_discs", plan.most_discs},
-                              {"steps", plan.steps},
-                              {"disc_steps", plan.disc_steps},
-                              {"core_hours", plan.core_time / seconds_per_hour},
-                              {"longest_cut_s", plan.longest_cut},
-                              {"ns_per_disc_step", ns_per_disc_step}});
+  say(options.common, "{}", views::plan_lines(plan, ns_per_disc_step));
+  nlohmann::json json = views::as_json(plan);
+  json["ns_per_disc_step"] = ns_per_disc_step;
+  write_json(options.common, json);
 }
 
 void add_campaign_plan(CLI::App& campaign) {

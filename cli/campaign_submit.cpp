@@ -5,6 +5,7 @@
 #include "cli/campaign.hpp"
 #include "studies/campaign/folder.hpp"
 #include "studies/campaign/slurm.hpp"
+#include "views/json/campaign_json.hpp"
 
 namespace bitrock::cli {
 
@@ -37,7 +38,7 @@ void submit(const Options& options) {
     for (const std::string& warning : studies::warnings(plan, options.slurm, scripts.tasks))
       warn(campaign.common, warning);
   }
-  nlohmann::json json = as_json(status);
+  nlohmann::json json = views::as_json(status);
   json["tasks"] = scripts.tasks;
   json["scripts"] = {scripts.array.string(), scripts.collect.string()};
   json["array_job"] = json["collect_job"] = nullptr;

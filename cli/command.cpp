@@ -63,6 +63,15 @@ void add_check(CLI::App& command, CommonOptions& options) {
       "The program reads the input, prints what follows from it (sizes, steps, expected time), and stops.");
 }
 
+void add_model_file(CLI::App& command, std::string& file) {
+  command.add_option("model", file, "The model file with the networks, e.g. campaigns/paper240/model.json.")
+      ->required();
+}
+
+void add_bit_file(CLI::App& command, std::string& file) {
+  command.add_option("bit", file, "The bit file, e.g. campaigns/bits/pdc15.toml.")->required();
+}
+
 void add_jobs(CLI::App& command, int& jobs, const std::string& what, Spelling spelling) {
   jobs = cores();
   command

@@ -30,9 +30,13 @@ void add_computing(CLI::App& command, CommonOptions& options);
 /// `--check`, which `add_computing` adds too.
 void add_check(CLI::App& command, CommonOptions& options);
 
+/// The model file, which must be named.
+void add_model_file(CLI::App& command, std::string& file);
+/// The bit file, which must be named.
+void add_bit_file(CLI::App& command, std::string& file);
+
 /// `--jobs`: computations side by side; all cores unless the user says otherwise. `lab`, `calibrate` and `train` called
-/// it
-/// `--threads` before, which still counts there.
+/// it `--threads` before, which still counts there.
 enum class Spelling { jobs, jobs_or_threads };
 void add_jobs(CLI::App& command, int& jobs, const std::string& what, Spelling spelling = Spelling::jobs);
 

@@ -7,8 +7,8 @@
 #include "dem2d/files/run_file.hpp"
 #include "dem2d/files/specimen_file.hpp"
 #include "dem2d/step/cost.hpp"
-#include "peaks/statistics.hpp"
-#include "studies/campaign/plan.hpp"
+#include "views/json/cut_json.hpp"
+#include "views/text/cut_lines.hpp"
 
 namespace bitrock::cli {
 
@@ -21,11 +21,6 @@ struct Options {
   int frames = 0;
   bool without_energy = false;
 };
-
-nlohmann::json features(const std::vector<double>& force) {
-  const peaks::PeakStatistics s = peaks::peak_statistics(force);
-  return {{"amax", s.amax}, {"amean", s.amean}, {"np1", s.np1}, {"np23", s.np23}, {"np4", s.np4}};
-}
 
 /// The bed of the case: from a file when one is named, otherwise made.
 dem2d::Specimen bed_of(const Options& options, const dem2d::CutCase& cut) {
@@ -61,22 +56,8 @@ void print_plan(const Options& options, const dem2d::CutCase& cut) {
                               {"expected_minutes", minutes}});
 }
 
-nlohmann::json measured(const Options& options, double fraction) {
-  return options.without_energy ? nlohmann::json() : nlohmann::json(fraction);
-}
-
-void print_energy(const Options& options, const dem2d::CutRun& run) {
-  if (options.without_energy) return;
-  const dem2d::Energies& e = run.energies.back();
-  const double percent = e.boundary_work != 0.0 ? 100.0 / e.boundary_work : 0.0;
-  say(options.common,
-      "work of the cutter {:.4g} J/m: {:.1f} % friction, {:.1f} % local damping, {:.1f} % dashpots, {:.1f} % breaking, "
-      "{:.2f} % switching, {:.1f} % in springs, {:.1f} % in motion, {:.1f} % gone with lost discs; {:.2g} % not "
-      "found, {:.2g} % injected\n",
-      e.boundary_work, percent * e.friction, percent * e.local_damping, percent * e.dashpots, percent * e.breaking,
-      percent * e.switching, percent * (e.strain_joints + e.strain_contacts + e.strain_boundaries), percent * e.kinetic,
-      percent * e.removed, 100.0 * run.energy_residual_fraction, 100.0 * run.energy_injected_fraction);
-  if (std::abs(run.energy_injected_fraction) <= dem2d::most_injected) return;
+void warn_of_injected_energy(const Options& options, const dem2d::CutRun& run) {
+  if (options.without_energy || std::abs(run.energy_injected_fraction) <= dem2d::most_injected) return;
   warn(
       options.common,
       fmt::format("{:.2g} % of the cutter's work came from contacts and joints that began under load (at most {:.0f} % "
@@ -105,38 +86,9 @@ void run(const Options& options) {
   }
   dem2d::write_run(result, cut, static_cast<std::uint64_t>(options.seed), options.output);
 
-  const nlohmann::json x = features(result.force_x), y = features(result.force_y);
-  write_json(options.common, {{"discs", result.discs},
-                              {"joints", result.joints},
-                              {"step_s", result.step},
-                              {"steps", result.steps},
-                              {"cut_length_m", result.cut_length},
-                              {"duration_s", result.duration},
-                              {"mean_force_x_N_per_m", result.mean_force_x},
-                              {"mean_force_y_N_per_m", result.mean_force_y},
-                              {"specific_energy_Pa", result.specific_energy},
-                              {"cracks_tensile", result.cracks_tensile},
-                              {"cracks_shear", result.cracks_shear},
-                              {"removed_discs", result.removed_discs},
-                              {"energy_residual_fraction", measured(options, result.energy_residual_fraction)},
-                              {"energy_injected_fraction", measured(options, result.energy_injected_fraction)},
-                              {"wall_s", result.wall_time},
-                              {"ns_per_disc_step", result.nanoseconds_per_disc_step},
-                              {"features", {{"x", x}, {"y", y}}}});
-  say(options.common,
-      "{} discs, {} joints, {} steps of {:.3g} s, {:.1f} s on the clock ({:.0f} ns per disc and step)\n", result.discs,
-      result.joints, result.steps, result.step, result.wall_time, result.nanoseconds_per_disc_step);
-  say(options.common,
-      "mean force x {:.4g}, y {:.4g} kN/m; specific energy {:.3g} MPa; cracks {} in tension, {} in shear\n",
-      result.mean_force_x * 1e-3, result.mean_force_y * 1e-3, result.specific_energy * 1e-6, result.cracks_tensile,
-      result.cracks_shear);
-  print_energy(options, result);
-  for (const auto& [axis, f] : {std::pair{"x", x}, std::pair{"y", y}}) {
-    say(options.common, "{}: A_max {:.4g} kN/m, A_mean {:.4g} kN/m, peaks {} + {} + {}\n", axis,
-        f["amax"].get<double>() * 1e-3, f["amean"].get<double>() * 1e-3, f["np1"].get<int>(), f["np23"].get<int>(),
-        f["np4"].get<int>());
-  }
-  say(options.common, "-> {}\n", options.output);
+  write_json(options.common, views::as_json(result));
+  say(options.common, "{}-> {}\n", views::cut_lines(result), options.output);
+  warn_of_injected_energy(options, result);
 }
 
 }  // namespace

@@ -14,12 +14,11 @@
 #include "runtime/drillstring/modes.hpp"
 #include "runtime/drillstring/steadiness.hpp"
 #include "views/json/drill_json.hpp"
+#include "views/text/drill_lines.hpp"
 
 namespace bitrock::cli {
 
 namespace {
-
-using base::rpm;
 
 struct Options {
   CommonOptions common;
@@ -34,24 +33,13 @@ std::string listed(const std::vector<double>& frequencies) {
   return frequencies.size() > 6 ? text + ", ..." : text;
 }
 
-/// Null where there are none.
-nlohmann::json forms_json(const std::optional<runtime::ClosedForms>& forms) {
-  if (!forms)
-    return {{"axial_continuous_Hz", nullptr}, {"torsional_continuous_Hz", nullptr}, {"equal_lumps_Hz", nullptr}};
-  return {{"axial_continuous_Hz", forms->axial_continuous},
-          {"torsional_continuous_Hz", forms->torsional_continuous},
-          {"equal_lumps_Hz", forms->equal_lumps}};
-}
-
-/// Whether small vibrations about steady rotation die, as far as friction at the static weight on bit decides.
-nlohmann::json steady_json(const runtime::DrillString& string) {
-  const double weight = runtime::static_weight_on_bit(string), rotation = string.drive.rotation;
+/// What decides whether small vibrations about steady rotation die, as far as friction at the static weight on bit
+/// says.
+std::optional<runtime::Steadiness> steadiness_of(const runtime::DrillString& string) {
+  const double rotation = string.drive.rotation;
   if (!string.drive.imposes_speed || rotation == 0.0 || string.bit.friction.law == runtime::FrictionLaw::none)
-    return nullptr;
-  const runtime::Steadiness seen = runtime::steadiness(string, rotation, weight);
-  return {{"equivalent_damping_N_m_s_per_rad", seen.damping},
-          {"friction_demand_N_m_s_per_rad", seen.demand},
-          {"stable", seen.demand < seen.damping}};
+    return std::nullopt;
+  return runtime::steadiness(string, rotation, runtime::static_weight_on_bit(string));
 }
 
 void show_modes(const Options& options) {
@@ -60,7 +48,7 @@ void show_modes(const Options& options) {
   require_outputs(options.common, {options.case_file, drill.bit_file}, {});
   const auto [on_bottom, off_bottom, torsional] = runtime::drill_modes(string);
   const std::optional<runtime::ClosedForms> forms = runtime::closed_forms(drill);
-  const nlohmann::json steady = steady_json(string);
+  const std::optional<runtime::Steadiness> steady = steadiness_of(string);
   say(options.common, "{}\n", drill.name);
   if (!on_bottom.empty()) {
     say(options.common, "axial, bit on rock:   {} Hz\naxial, bit off bottom: {} Hz\n", listed(on_bottom),
@@ -73,42 +61,18 @@ void show_modes(const Options& options) {
         "lumps: {} Hz\n",
         forms->axial_continuous, forms->torsional_continuous, listed(forms->equal_lumps));
   }
-  if (!steady.is_null()) {
+  if (steady) {
     say(options.common,
         "steady rotation at {:.4g} rpm: friction takes {:.3g} N m s/rad of damping, the string has {:.3g}: {}\n",
-        string.drive.rotation / rpm, steady["friction_demand_N_m_s_per_rad"].get<double>(),
-        steady["equivalent_damping_N_m_s_per_rad"].get<double>(),
-        steady["stable"].get<bool>() ? "stable" : "not stable");
+        string.drive.rotation / base::rpm, steady->demand, steady->damping,
+        steady->demand < steady->damping ? "stable" : "not stable");
   }
   write_json(options.common, {{"axial_Hz", on_bottom},
                               {"axial_off_bottom_Hz", off_bottom},
                               {"torsional_Hz", torsional},
-                              {"closed_forms", forms_json(forms)},
-                              {"steady_rotation", steady},
+                              {"closed_forms", views::as_json(forms)},
+                              {"steady_rotation", views::as_json(steady)},
                               {"longest_stable_step_s", runtime::longest_stable_step(string)}});
-}
-
-void print(const Options& options, const runtime::DrillCase& drill, const runtime::DrillRun& run) {
-  const runtime::DrillSummary& s = run.summary;
-  const auto line = [&](const char* name, const char* unit, const runtime::Spread& spread, double factor) {
-    say(options.common, "{:22} mean {:10.4g}  min {:10.4g}  max {:10.4g} {}\n", name, spread.mean / factor,
-        spread.lowest / factor, spread.highest / factor, unit);
-  };
-  say(options.common, "{}: {:g} s in {} steps of {:.3g} ms\n", drill.name, drill.run.duration, run.steps,
-      run.step * 1e3);
-  line("bit rotation", "rpm", s.bit_rotation, rpm);
-  line("weight on bit", "kN", s.weight_on_bit, 1e3);
-  line("rock on bit in all", "kN", s.total_force, 1e3);
-  line("torque on bit", "N m", s.torque, 1.0);
-  line("rate of penetration", "m/h", s.rop, 1.0 / 3600.0);
-  say(options.common,
-      "static weight on bit {:.4g} kN; stick-slip severity {:.3g}; bit at rest {:.3g} %, backwards {:.3g} %, off "
-      "bottom {:.3g} % "
-      "of the time; drilled {:.4g} mm\n",
-      s.static_weight_on_bit * 1e-3, s.severity, 100.0 * s.share_at_rest, 100.0 * s.share_backwards,
-      100.0 * s.share_off_bottom, s.drilled * 1e3);
-  say(options.common, "energy lost by the solver {:.2g} %; {:.0f} times real time -> {}\n", 100.0 * s.energy_residual,
-      drill.run.duration / run.wall_time, options.output);
 }
 
 void print_plan(const Options& options, const runtime::DrillCase& drill, const runtime::DrillString& string) {
@@ -147,7 +111,8 @@ void run(const Options& options) {
   }
   const std::string fingerprint = model ? base::fingerprint_text(base::read_whole(drill.source.model_file)) : "";
   runtime::write_drill_run(result, drill, fingerprint, options.output);
-  print(options, drill, result);
+  say(options.common, "{}; {:.0f} times real time -> {}\n", views::drill_lines(drill, result),
+      drill.run.duration / result.wall_time, options.output);
   if (model) tell_clamps(options.common, result.summary.clamps, asked_at_the_mean(drill.bit, *model, result.summary));
   write_json(options.common, {{"summary", views::as_json(result.summary)},
                               {"step_s", result.step},
@@ -167,10 +132,7 @@ void add_drill(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = drill->add_subcommand("run", "Computes the vibrations of the string and the bit over time.");
   command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
-  command
-      ->add_option("--model", options->model_file,
-                   "The bit asks the networks of this model file (model.json), not those that the case names.")
-      ->check(not_empty());
+  add_model_of_case(*command, options->model_file);
   command
       ->add_option("--seed", options->seed,
                    "The seed draws the peaks of the bit force, or the noise: another seed gives another force of the "

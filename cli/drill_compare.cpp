@@ -117,10 +117,7 @@ void add_drill_compare(CLI::App& drill) {
                                            "Runs the case with the force of the networks, with a sine and with white "
                                            "noise of equal mean and RMS, for several seeds.");
   command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
-  command
-      ->add_option("--model", options->model_file,
-                   "The bit asks the networks of this model file (model.json), not those that the case names.")
-      ->check(not_empty());
+  add_model_of_case(*command, options->model_file);
   command->add_option("--seeds", options->seeds, "Each seed draws another force of the same kind, e.g. 1,2,5:10.")
       ->default_val("1:10");
   add_jobs(*command, options->jobs, "runs");

@@ -129,10 +129,7 @@ void add_drill_map(CLI::App& drill) {
       drill.add_subcommand("map", "Maps stick-slip and bit bounce over the hook load and the speed of the top drive.");
   command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/stick_slip.toml.")
       ->required();
-  command
-      ->add_option("--model", options->model_file,
-                   "The bit asks the networks of this model file (model.json), not those that the case names.")
-      ->check(not_empty());
+  add_model_of_case(*command, options->model_file);
   command
       ->add_option("--hook-load-kN", options->hook_loads,
                    "The map covers these hook loads, lowest:highest:count, not the one of the case.")

@@ -22,6 +22,13 @@ std::optional<surrogate::Model> model_of(const CommonOptions& common, const std:
   return model;
 }
 
+void add_model_of_case(CLI::App& command, std::string& file) {
+  command
+      .add_option("--model", file,
+                  "The bit asks the networks of this model file (model.json), not those that the case names.")
+      ->check(not_empty());
+}
+
 std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
                               const runtime::DrillSummary& summary) {
   const std::string asked =

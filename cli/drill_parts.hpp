@@ -18,6 +18,9 @@ std::optional<surrogate::Model> model_of(const CommonOptions& common, const std:
 std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
                               const runtime::DrillSummary& summary);
 
+/// `--model`, in place of that of the case.
+void add_model_of_case(CLI::App& command, std::string& file);
+
 /// `drill compare` and `drill map`.
 void add_drill_compare(CLI::App& drill);
 void add_drill_map(CLI::App& drill);

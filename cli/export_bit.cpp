@@ -35,11 +35,8 @@ void add_export_bit(CLI::App& export_command) {
   CLI::App* command = export_command.add_subcommand(
       "bit", "Writes a bit and its networks as a C header, for programs that link libbitrock_runtime.so.");
   auto options = std::make_shared<Options>();
-  command
-      ->add_option("model", options->model_file,
-                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
-      ->required();
-  command->add_option("bit", options->bit_file, "The bit file, e.g. campaigns/bits/pdc15.toml.")->required();
+  add_model_file(*command, options->model_file);
+  add_bit_file(*command, options->bit_file);
   command->add_option("-o,--output", options->output, "The result goes to this file.")
       ->default_val("bit.h")
       ->check(not_empty());

@@ -48,11 +48,8 @@ void add_export_fmu(CLI::App& export_command) {
                                                     "Writes the force and torque on a bit as an FMU (FMI 2.0, "
                                                     "co-simulation) for Simulink, 20-sim, OMSimulator and others.");
   auto options = std::make_shared<Options>();
-  command
-      ->add_option("model", options->model_file,
-                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
-      ->required();
-  command->add_option("bit", options->bit_file, "The bit file, e.g. campaigns/bits/pdc15.toml.")->required();
+  add_model_file(*command, options->model_file);
+  add_bit_file(*command, options->bit_file);
   command->add_option("-o,--output", options->output, "The result goes to this file.")
       ->default_val("bit.fmu")
       ->check(not_empty());

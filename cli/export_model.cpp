@@ -49,9 +49,7 @@ std::string matlab_name(const std::string& output) {
 
 std::shared_ptr<Options> add_format(CLI::App& command, const char* default_output) {
   auto options = std::make_shared<Options>();
-  command
-      .add_option("model", options->model_file, "The model file with the networks, e.g. campaigns/paper240/model.json.")
-      ->required();
+  add_model_file(command, options->model_file);
   command.add_option("-o,--output", options->output, "The result goes to this file.")
       ->default_val(default_output)
       ->check(not_empty());

@@ -1,7 +1,6 @@
 // bitrock lab: strength tests on synthetic cores, one core of the machine a specimen.
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <memory>
 #include <optional>
 
@@ -10,11 +9,12 @@
 #include "base/numbered_files.hpp"
 #include "base/stop.hpp"
 #include "base/value_lists.hpp"
-#include "cli/lab_results.hpp"
+#include "cli/command.hpp"
 #include "dem2d/files/specimen_file.hpp"
 #include "dem2d/lab/loading_rate.hpp"
 #include "views/json/lab_json.hpp"
 #include "views/lab/lab_picture.hpp"
+#include "views/text/lab_table.hpp"
 
 namespace bitrock::cli {
 
@@ -113,20 +113,6 @@ void write_files(const Options& options, const studies::LabSeries& series, const
   base::write_whole(file_of(options, run.seed, "png"), views::draw_broken_core(run, series.rock.name));
 }
 
-nlohmann::json result_json(const Options& options, const studies::LabSeries& series,
-                           const studies::LabResults& results) {
-  nlohmann::json json{{"test", options.test_name},
-                      {"rock", series.rock.name},
-                      {"width_m", series.settings.width},
-                      {"height_m", dem2d::specimen_box(options.test, series.settings).height},
-                      {"strain_rate_per_s", series.settings.strain_rate},
-                      {"local_damping", series.settings.local_damping},
-                      {"platen_friction", series.settings.platen_friction},
-                      {"config_toml", studies::rock_text(series)}};
-  json.update(views::runs_json(results));
-  return json;
-}
-
 void print_plan(const Options& options, const studies::LabSeries& series) {
   const dem2d::LabBox box = dem2d::specimen_box(series.test, series.settings);
   const studies::LabCost cost = studies::cost_of(series);
@@ -150,23 +136,6 @@ studies::LabResults tested(const Options& options, const studies::LabSeries& ser
                              [&](const dem2d::LabRun& run) { write_files(options, series, run); });
 }
 
-/// Throws when not every seed gave a result.
-void tell_what_is_missing(const studies::LabResults& results) {
-  const std::size_t all = results.runs.size() + results.failures.size() + results.not_tested.size();
-  if (results.ended_by) {
-    try {
-      std::rethrow_exception(results.ended_by);
-    } catch (const base::Interrupted& stopped) {
-      throw base::Interrupted(
-          fmt::format("{}: {} of {} seeds are finished and kept", stopped.what(), results.runs.size(), all));
-    }
-  }
-  if (results.failures.empty()) return;
-  std::string reasons;
-  for (const auto& [seed, reason] : results.failures) reasons += "\n  " + reason;
-  throw base::SimulationError(fmt::format("{} of {} tests failed:{}", results.failures.size(), all, reasons));
-}
-
 void run(const Options& options) {
   const studies::LabSeries series = make_series(options);
   for (const std::string& warning : dem2d::warnings(options.test, series.rock, series.settings))
@@ -184,18 +153,18 @@ void run(const Options& options) {
   std::optional<base::Saving> saving(std::in_place);
   const studies::LabResults results = tested(options, series);
   if (!results.ended_by) saving.reset();
-  const nlohmann::json json = result_json(options, series, results);
-  print_table(options.common, results);
+  say(options.common, "{}", views::lab_table(results));
   for (const dem2d::LabRun& tested : results.runs) {
     for (const std::string& warning : dem2d::warnings(tested)) warn(options.common, warning);
   }
-  if (!results.half_rate.empty()) print_rate_check(options.common, series.settings.strain_rate, results);
-  write_json(options.common, json);
+  if (!results.half_rate.empty())
+    say(options.common, "{}", views::rate_check_line(series.settings.strain_rate, results));
+  write_json(options.common, views::as_json(series, results));
   if (!options.folder.empty() && !results.runs.empty()) {
     base::write_whole(file_of_all(options), views::draw_curves(results.runs, series.rock.name));
     say(options.common, "-> {} files in {}\n", 2 * results.runs.size() + 2, options.folder);
   }
-  tell_what_is_missing(results);
+  studies::require_all(results);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "views/json/parity_json.hpp"
 #include "views/networks/chapter.hpp"
 #include "views/networks/figures.hpp"
+#include "views/text/parity_table.hpp"
 
 namespace bitrock::cli {
 
@@ -23,30 +24,6 @@ struct Options {
   FigureOptions figures;
   bool unseen = false;
 };
-
-void say_table(const CommonOptions& options, const surrogate::Parity& parity) {
-  const surrogate::OutputParity& first = parity.outputs.front();
-  say(options, "{}\n",
-      parity.has_held_out
-          ? fmt::format(
-                "{} cases held out of {}: deviations of the network from the DEM, beside what noise alone gives",
-                first.held_out.cases, first.all.cases)
-          : fmt::format("no case was held out: all {} cases, learnt from, so the network may follow their noise",
-                        first.all.cases));
-  constexpr const char* line = "{:<9} {:<5} {:>8} {:>8} {:>7}  {:>8} {:>7}  {:>8} {:>8}   {}\n";
-  say(options, line, "output", "unit", "DEM s.e.", "RMSE", "x s.e.", "mean dev", "(noise)", "max dev", "(noise)",
-      "verdict");
-  for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
-    const surrogate::OutputParity& output = parity.outputs[k];
-    const surrogate::ParitySummary& seen = parity.has_held_out ? output.held_out : output.all;
-    const auto [name, unit, factor] = views::shown(output, k);
-    const auto& noise = seen.noise_alone;
-    say(options, line, name, unit, views::number(seen.noise, factor), views::number(seen.rmse, factor),
-        views::number(seen.rmse_over_noise), views::percent(seen.mean_deviation),
-        views::percent(noise ? std::optional(noise->mean) : std::nullopt), views::percent(seen.max_deviation),
-        views::percent(noise ? std::optional(noise->max) : std::nullopt), views::verdict_text(output.judged));
-  }
-}
 
 void warn_of_data(const Options& options, const surrogate::TrainingData& data, const surrogate::Parity& parity) {
   for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
@@ -95,7 +72,7 @@ void run(const Options& options) {
   inputs.emplace_back(options.model_file);
   require_outputs(options.common, inputs, outputs);
 
-  say_table(options.common, parity);
+  say(options.common, "{}", views::parity_table(parity));
   warn_of_data(options, data, parity);
   if (!options.report_file.empty()) write_page(options, model, parity);
   if (!figures.empty()) write_figures(options.common, options.figures, figures);
@@ -108,10 +85,7 @@ void add_parity(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("parity", "Compares the networks with DEM data, beside the scatter of the data.");
-  command
-      ->add_option("model", options->model_file,
-                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
-      ->required();
+  add_model_file(*command, options->model_file);
   command
       ->add_option("data", options->data_files, "The data: a features.csv or features_mean.csv. Several count as one.")
       ->required();

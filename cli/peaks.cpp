@@ -4,6 +4,7 @@
 #include "base/csv.hpp"
 #include "cli/command.hpp"
 #include "studies/peaks/force_history.hpp"
+#include "views/json/peaks_json.hpp"
 
 namespace bitrock::cli {
 
@@ -25,37 +26,6 @@ std::string unit_of(const std::string& column) {
     if (column.ends_with(ending)) return unit;
   }
   return "";
-}
-
-nlohmann::json or_null(bool known, double value) {
-  return known ? nlohmann::json(value) : nlohmann::json();
-}
-
-nlohmann::json numbers(const peaks::PeakStatistics& s) {
-  return {{"amax", s.amax}, {"amean", s.amean}, {"np1", s.np1}, {"np23", s.np23}, {"np4", s.np4}, {"count", s.count()}};
-}
-
-nlohmann::json list_of(const std::vector<peaks::Part>& parts, const std::vector<double>& time) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const peaks::Part& part : parts) {
-    nlohmann::json entry = numbers(part.peaks);
-    entry["begin_index"] = part.begin;
-    entry["end_index"] = part.end;
-    entry["begin_s"] = part.begin < part.end && !time.empty() ? nlohmann::json(time[part.begin]) : nlohmann::json();
-    entry["zero_force_share"] = or_null(part.zero_force.samples > 0, part.zero_force.quiet_share());
-    list.push_back(std::move(entry));
-  }
-  return list;
-}
-
-nlohmann::json list_of_peaks(const ForceHistory& history, const peaks::Selection& selection) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const std::size_t i : peaks::counted_peaks(history.force, selection)) {
-    list.push_back({{"index", i},
-                    {"time_s", history.time.empty() ? nlohmann::json() : nlohmann::json(history.time[i])},
-                    {"height", history.force[i]}});
-  }
-  return list;
 }
 
 /// What stands for the times when no column gives them.
@@ -114,25 +84,7 @@ void run(const Options& options) {
   const ForceFindings found = studies::find_in(history, options.parts, selection);
   print(options, history, found);
   warn_about(options, history, found);
-  if (options.common.json_file.empty()) return;
-  const bool timed = history.time.size() > 1;
-  nlohmann::json result = numbers(found.all);
-  result.update({{"column", history.column},
-                 {"time_column", history.time_column.empty() ? nlohmann::json() : nlohmann::json(history.time_column)},
-                 {"samples", history.force.size()},
-                 {"not_a_number", found.not_a_number},
-                 {"infinite", found.infinite},
-                 {"minimum_height", peaks::minimum_height(history.force)},
-                 {"zero_force_share", found.zero.quiet_share()},
-                 {"not_positive_share", found.zero.not_positive_share()},
-                 {"zero_force_periods", found.zero.periods},
-                 {"zero_force_mean_samples", found.zero.mean_period()},
-                 {"zero_force_mean_s", or_null(timed, found.mean_period)},
-                 {"evenly_spaced", timed ? nlohmann::json(found.even) : nlohmann::json()},
-                 {"parts_by", timed ? "time" : "samples"},
-                 {"parts", list_of(found.parts, history.time)},
-                 {"peaks", list_of_peaks(history, selection)}});
-  write_json(options.common, result);
+  if (!options.common.json_file.empty()) write_json(options.common, views::as_json(history, found, selection));
 }
 
 }  // namespace

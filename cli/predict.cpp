@@ -79,10 +79,7 @@ void add_predict(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "predict", "Asks the networks for the five peak statistics along the cut (x) and out of the rock (y).");
-  command
-      ->add_option("model", options->model_file,
-                   "The model file with the networks, e.g. campaigns/paper240/model.json.")
-      ->required();
+  add_model_file(*command, options->model_file);
   command->add_option("--speed-m-per-s", options->speed, "The cutter moves at this speed.")
       ->required()
       ->check(within("--speed-m-per-s", dem2d::cutter_speed_m_per_s));

@@ -78,7 +78,7 @@ void add_signal(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("signal", "Computes force and torque on a whole bit that turns and drills at steady speed.");
-  command->add_option("bit", options->bit_file, "The bit file, e.g. campaigns/bits/pdc15.toml.")->required();
+  add_bit_file(*command, options->bit_file);
   command
       ->add_option("--model", options->model_file,
                    "The model file with the networks, e.g. campaigns/paper240/model.json.")

@@ -1,6 +1,4 @@
 // bitrock train: ten small networks from a table of peak statistics.
-#include "surrogate/train/search.hpp"
-
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -8,6 +6,8 @@
 #include "cli/command.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/data_warnings.hpp"
+#include "views/json/train_json.hpp"
+#include "views/text/train_table.hpp"
 
 namespace bitrock::cli {
 
@@ -24,50 +24,16 @@ struct Options {
   int folds = 5;
 };
 
-/// "x_amax" of "x_amax_N_per_m": fits above a column.
-std::string short_name(std::string_view name) {
-  for (const std::string_view unit : {"_N_per_m", "_per_m"}) {
-    if (name.ends_with(unit)) return std::string(name.substr(0, name.size() - unit.size()));
-  }
-  return std::string(name);
-}
-
-/// The errors of all kinds, as a table and for programs; afterwards the options hold the kind that was chosen.
-std::string search_kinds(Options& options, const surrogate::TrainingData& data, nlohmann::json& json) {
-  const std::vector<surrogate::Candidate> candidates = surrogate::usual_candidates();
+/// Compares the kinds; afterwards the options hold the one that was chosen.
+surrogate::Search search_kinds(Options& options, const surrogate::TrainingData& data) {
   surrogate::Search search;
   {
     Progress progress(options.common, "comparing networks", "trainings");
-    search = surrogate::search(data, options.train, candidates, options.folds, progress.callback());
+    search = surrogate::search(data, options.train, surrogate::usual_candidates(), options.folds, progress.callback());
   }
-  say(options.common,
-      "{}-fold cross-validation over {} cases: root mean square errors on cases not learnt from, in standard errors of "
-      "the data (1 is perfect)\n  {:<58} {:>6} {:>16}",
-      search.folds, search.cases, "kind", "all", "gain");
-  for (const auto& name : surrogate::output_names) say(options.common, " {:>7}", short_name(name.name));
-  say(options.common, "\n");
-  for (const surrogate::CandidateResult& result : search.results) {
-    const std::string gain =
-        &result == &search.results.front() ? "" : fmt::format("{:.3f} +- {:.3f}", result.gain, result.gain_error);
-    say(options.common, "  {:<58} {:>6.3f} {:>16}", result.candidate.name, result.error, gain);
-    for (const double error : result.errors) say(options.common, " {:>7.3f}", error);
-    say(options.common, "\n");
-    nlohmann::json errors;
-    for (std::size_t i = 0; i < result.errors.size(); ++i) {
-      errors[std::string(surrogate::output_names[i].name)] = result.errors[i];
-    }
-    json["kinds"].push_back({{"name", result.candidate.name},
-                             {"error_in_standard_errors", result.error},
-                             {"gain", result.gain},
-                             {"gain_standard_error", result.gain_error},
-                             {"outputs", errors}});
-  }
-  const surrogate::Candidate& chosen = search.results[search.chosen].candidate;
-  take_kind(chosen, options.train);
-  json["chosen"] = chosen.name;
-  json["folds"] = search.folds;
-  say(options.common, "{}\n", search.choice);
-  return search.choice;
+  say(options.common, "{}", views::search_table(search));
+  take_kind(search.results[search.chosen].candidate, options.train);
+  return search;
 }
 
 void run(Options options) {
@@ -96,8 +62,8 @@ void run(Options options) {
     write_json(options.common, {{"rows", data.rows.size()}, {"cases", cases}});
     return;
   }
-  nlohmann::json search;
-  const std::string choice = options.search ? search_kinds(options, data, search) : std::string();
+  std::optional<surrogate::Search> search;
+  if (options.search) search = search_kinds(options, data);
   const auto begin = std::chrono::steady_clock::now();
   surrogate::Model model;
   {
@@ -105,28 +71,12 @@ void run(Options options) {
     model = surrogate::train(data, options.train, progress.callback());
   }
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  model.provenance.choice = choice;
+  if (search) model.provenance.choice = search->choice;
   surrogate::write_model(options.output, model);
 
-  nlohmann::json outputs;
-  const std::size_t validation = model.provenance.validation_cases.size();
-  say(options.common, "{} cases to learn from, {}{} to test; mean squared errors in scaled units\n",
-      model.provenance.train_cases.size(),
-      validation > 0 ? fmt::format("{} to say when to stop, ", validation) : std::string(),
-      model.provenance.test_cases.size());
-  for (const surrogate::OutputModel& output : model.outputs) {
-    const surrogate::LearningPoint& last = output.learning_curve.back();
-    outputs[output.variable.name] = {{"train_mse", last.train_mse},
-                                     {"test_mse", last.test_mse},
-                                     {"epochs", last.epoch},
-                                     {"best_epoch", output.best_epoch},
-                                     {"restarts", output.restarts}};
-    say(options.common, "  {:<16} train {:.3e}   test {:.3e}   epoch {} of {}   restarts {}\n", output.variable.name,
-        last.train_mse, last.test_mse, output.best_epoch, last.epoch, output.restarts);
-  }
-  say(options.common, "{:.2f} s -> {}\n", wall, options.output);
-  nlohmann::json result{{"outputs", outputs}, {"wall_s", wall}};
-  if (options.search) result["search"] = search;
+  say(options.common, "{}{:.2f} s -> {}\n", views::training_table(model), wall, options.output);
+  nlohmann::json result{{"outputs", views::training_json(model)}, {"wall_s", wall}};
+  if (search) result["search"] = views::as_json(*search);
   write_json(options.common, result);
 }
 

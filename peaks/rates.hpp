@@ -16,6 +16,7 @@ struct PeakRates {
   double np23 = 0.0;   ///< [1/m] peaks of 25 % to 75 % of amax, per metre of cut
   double np4 = 0.0;    ///< [1/m] peaks of 0 % to 25 % of amax, per metre of cut
 
+  /// Bit by bit.
   bool operator==(const PeakRates&) const = default;
 };
 

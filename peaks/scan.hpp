@@ -16,7 +16,8 @@ namespace bitrock::peaks {
 inline constexpr std::size_t word_samples = 64;  ///< samples in a word [1]
 /// The words of one call: 2048 samples, so that they are still in the first cache when the peaks among them are read.
 using BitBlock = std::array<std::uint64_t, 32>;
-inline constexpr std::size_t block_samples = word_samples * std::tuple_size_v<BitBlock>;
+inline constexpr std::size_t block_samples =
+    word_samples * std::tuple_size_v<BitBlock>;  ///< samples that are looked at together
 
 /// The highest finite sample; 0 when none is positive.
 double highest_finite(std::span<const double> signal);

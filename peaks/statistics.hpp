@@ -32,6 +32,7 @@ struct PeakStatistics {
   int np23 = 0;        ///< peaks in the middle band
   int np4 = 0;         ///< peaks in the lower band
 
+  /// All peaks.
   int count() const { return np1 + np23 + np4; }
 };
 
@@ -41,6 +42,7 @@ double minimum_height(std::span<const double> signal);
 /// Indices of the peaks that count. A selection leaves only those that are prominent, and far enough from higher ones.
 std::vector<std::size_t> counted_peaks(std::span<const double> signal, const Selection& selection = {});
 
+/// Of a signal; all zero for one without a peak.
 PeakStatistics peak_statistics(std::span<const double> signal);
 PeakStatistics peak_statistics(std::span<const double> signal, const Selection& selection);
 

@@ -23,6 +23,7 @@ struct ZeroForce {
 
   /// Of the samples that are numbers; 0 when there are none.
   double quiet_share() const { return share(quiet, samples); }
+  /// Share of the samples that are zero or negative [1].
   double not_positive_share() const { return share(not_positive, samples); }
   double mean_period() const { return share(quiet, periods); }  ///< [samples]
 

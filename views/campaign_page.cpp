@@ -36,20 +36,31 @@ std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
   return runs;
 }
 
+/// Networks that came from elsewhere: against the cuts of the folder, or how they learnt when it holds no cuts.
+void add_earlier_networks(report::Page& page, const std::filesystem::path& file,
+                          const std::optional<surrogate::TrainingData>& data) {
+  const surrogate::Model earlier = surrogate::read_model(file);
+  const std::string name = file.filename().string(), learnt_from = earlier.provenance.data_file;
+  if (!data) {
+    page.section("Learning of the earlier networks",
+                 fmt::format("The networks of {}, which learnt from {}. The folder has no features.csv to hold them "
+                             "against.",
+                             name, learnt_from));
+    return add_learning_curves(page, earlier);
+  }
+  page.section("Networks that have not seen these cuts",
+               fmt::format("The networks of {}, which learnt from {}, against the cuts of this page: other conditions, "
+                           "other rocks of the same kind. What they miss beside the scatter of the cuts themselves is "
+                           "what they would miss in use.",
+                           name, learnt_from));
+  add_parity(page, earlier, surrogate::parity(earlier, *data, surrogate::CaseNumbers::of_another_study),
+             "Cuts not seen");
+}
+
 void add_networks(report::Page& page, const CampaignFiles& files) {
   std::optional<surrogate::TrainingData> data;
   if (base::is_there(files.data)) data = surrogate::read_training_data(files.data);
-  if (data && base::is_there(files.earlier_model)) {
-    const surrogate::Model earlier = surrogate::read_model(files.earlier_model);
-    page.section(
-        "Networks that have not seen these cuts",
-        fmt::format("The networks of {}, which learnt from {}, against the cuts of this page: other conditions, "
-                    "other rocks of the same kind. What they miss beside the scatter of the cuts themselves is "
-                    "what they would miss in use.",
-                    files.earlier_model.filename().string(), earlier.provenance.data_file));
-    add_parity(page, earlier, surrogate::parity(earlier, *data, surrogate::CaseNumbers::of_another_study),
-               "Cuts not seen");
-  }
+  if (base::is_there(files.earlier_model)) add_earlier_networks(page, files.earlier_model, data);
   if (!base::is_there(files.model)) return;
   const surrogate::Model model = surrogate::read_model(files.model);
   page.section("Learning",
@@ -62,10 +73,10 @@ void add_networks(report::Page& page, const CampaignFiles& files) {
   add_parity(page, model, surrogate::parity(model, *data));
 }
 
-void add_drill_runs(report::Page& page, const std::filesystem::path& folder) {
+void add_drill_runs(report::Page& page, const std::vector<std::filesystem::path>& files) {
   std::vector<std::string> names;
   std::vector<runtime::DrillFile> runs;
-  for (const auto& file : results_in(folder)) {
+  for (const auto& file : files) {
     if (runs.size() == most_shown_runs) break;
     names.push_back(file.string());
     runs.push_back(runtime::read_drill_run(file));
@@ -90,9 +101,13 @@ CampaignFiles campaign_files(const std::filesystem::path& folder) {
 report::Page campaign_page(const std::filesystem::path& folder) {
   const CampaignFiles files = campaign_files(folder);
   const std::vector<dem2d::RunFile> runs = read_runs(files.runs);
-  if (runs.empty() && !base::is_there(files.model) && !base::is_there(files.bit_force)) {
-    throw base::InputError(fmt::format(
-        "{} holds nothing to report (looked for runs/*.h5, model.json and bit_force.csv)", folder.string()));
+  const std::vector<std::filesystem::path> drill_runs = results_in(files.drill);
+  if (runs.empty() && drill_runs.empty() && !base::is_there(files.model) && !base::is_there(files.earlier_model) &&
+      !base::is_there(files.bit_force)) {
+    throw base::InputError(
+        fmt::format("{} holds nothing to report (looked for runs/*.h5, model.json, earlier_model.json, bit_force.csv "
+                    "and drill/*.h5)",
+                    folder.string()));
   }
   report::Page page("From lab rock to bit force", runs.empty() ? std::string() : runs.front().cut.rock.name);
   if (!runs.empty()) add_cut_chapters(page, runs);
@@ -106,7 +121,7 @@ report::Page campaign_page(const std::filesystem::path& folder) {
         "mean is half of A_mean times the pulse width factor, which is not the mean force of the simulated cuts.");
     add_bit_force(page, files.bit_force, files.bit_force_json);
   }
-  add_drill_runs(page, files.drill);
+  add_drill_runs(page, drill_runs);
   return page;
 }
 

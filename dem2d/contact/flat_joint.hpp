@@ -56,6 +56,7 @@
 
 namespace bitrock::dem2d {
 
+/// What an element of a joint is; numbers as in files.
 enum class ElementState : std::uint8_t { never_bonded = 0, broken_in_tension = 1, broken_in_shear = 2, bonded = 3 };
 
 /// Stiffness and strength of one joint.
@@ -91,10 +92,12 @@ struct NormalResultant {
   double moment;  ///< m about the middle of the element [N]
 };
 
+/// Of a bonded element, which also pulls.
 inline NormalResultant bonded_resultant(double kn, double length, double gap_a, double gap_b) {
   return {kn * length * (gap_a + gap_b) / 2.0, kn * length * length * (gap_b - gap_a) / 12.0};
 }
 
+/// Of an element without bond, which only pushes.
 inline NormalResultant unbonded_resultant(double kn, double length, double gap_a, double gap_b) {
   if (gap_a <= 0.0 && gap_b <= 0.0) return bonded_resultant(kn, length, gap_a, gap_b);
   if (gap_a >= 0.0 && gap_b >= 0.0) return {0.0, 0.0};

@@ -31,7 +31,7 @@ namespace bitrock::dem2d {
 
 /// Gaps at the two ends of an element [m].
 struct ElementGaps {
-  double a, b;
+  double a, b;  ///< at its two ends [m]
 };
 
 /// U [J/m].
@@ -57,11 +57,12 @@ inline double whole_joint_energy(const FlatJointLaw& law, double gap, double rot
 
 /// An element at one instant.
 struct ElementInstant {
-  ElementGaps gaps;
-  ElementState state;
+  ElementGaps gaps;     ///< of the element
+  ElementState state;   ///< bonded or how it broke
   double shear_stress;  ///< [Pa]
 };
 
+/// What one element loses in a step [J/m].
 struct ElementLoss {
   double friction = 0.0, switching = 0.0, breaking = 0.0;  ///< [J/m]
 };
@@ -74,6 +75,7 @@ inline double normal_work(double length, const ElementGaps& before, const Elemen
   return 0.5 * (then.force + now.force) * opening + 0.5 * (then.moment + now.moment) * tilting;
 }
 
+/// Between two instants of one element.
 inline ElementLoss element_loss(const FlatJointLaw& law, double length, const ElementInstant& before,
                                 const ElementInstant& after, double shear_increment) {
   if (after.state == ElementState::bonded) return {};

@@ -33,6 +33,7 @@ struct LinearLaw {
   double shear_dashpot;     ///< c_s [Pa s]
 };
 
+/// Force of a contact on disc 1.
 struct LinearForce {
   double normal;          ///< compression positive [N/m]
   double shear;           ///< T [N/m]
@@ -40,14 +41,17 @@ struct LinearForce {
   double shear_dashpot;   ///< share of the dashpot in `shear` [N/m]
 };
 
+/// Of two discs of these radii [m] and modulus [Pa]: [Pa].
 inline double linear_normal_stiffness(double modulus, double radius1, double radius2) {
   return 2.0 * std::min(radius1, radius2) * modulus / (radius1 + radius2);
 }
 
+/// Of a disc on a wall: [Pa].
 inline double linear_wall_stiffness(double modulus) {
   return 2.0 * modulus;
 }
 
+/// Of a mass [kg/m] on a spring [Pa]: [Pa s].
 inline double dashpot_constant(double damping_ratio, double mass, double normal_stiffness) {
   return 2.0 * damping_ratio * std::sqrt(mass * normal_stiffness);
 }
@@ -83,6 +87,7 @@ struct LinearInstant {
   double shear_dashpot;   ///< [N/m]
 };
 
+/// What one contact loses in a step [J/m].
 struct LinearLoss {
   double friction, dashpots;  ///< [J/m]
   double switching;           ///< of the normal spring, see step/energy.hpp [J/m]

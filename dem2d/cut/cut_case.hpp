@@ -13,7 +13,7 @@ namespace bitrock::dem2d {
 
 struct CutCase {
   std::string rock_file;  ///< as written, relative to the case file; `rock` holds its content
-  Rock rock;
+  Rock rock;              ///< that is cut
 
   double cutter_speed = 0.0;  ///< [m/s]
   double depth_of_cut = 0.0;  ///< [m]
@@ -38,8 +38,8 @@ struct CutCase {
 /// What a case may be, in the units of its keys: ten times beyond what cutters do, near enough to catch a slipped unit
 /// (depths of cut are 0.1 to 10 mm). The rock ahead of a face that leans more than 60 degrees is not cut but ploughed.
 inline constexpr base::Range cutter_speed_m_per_s{.low = 0.0, .high = 50.0, .low_open = true};
-inline constexpr base::Range depth_of_cut_mm{.low = 0.01, .high = 100.0};
-inline constexpr base::Range back_rake_deg{.low = 0.0, .high = 60.0};
+inline constexpr base::Range depth_of_cut_mm{.low = 0.01, .high = 100.0};  ///< allowed depths
+inline constexpr base::Range back_rake_deg{.low = 0.0, .high = 60.0};      ///< allowed back rakes
 
 /// The sections of the file without the rock, bound to `cut`.
 std::vector<base::Section> describe(CutCase& cut);

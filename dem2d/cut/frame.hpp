@@ -14,8 +14,8 @@ struct Frame {
   double time = 0.0;                 ///< [s]
   double tip_x = 0.0;                ///< of the cutter [m]
   std::vector<double> x, y, radius;  ///< [m]
-  std::vector<int> id;
-  std::vector<int> fragment;  ///< discs with the same number hang together by bonded joints; 0 is the largest
+  std::vector<int> id;               ///< a number a disc keeps
+  std::vector<int> fragment;         ///< discs with the same number hang together by bonded joints; 0 is the largest
 
   // only when frames were asked for, because they double the size
   std::vector<double> velocity_x, velocity_y;  ///< half a step before `time` [m/s]

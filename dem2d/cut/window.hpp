@@ -16,18 +16,19 @@ namespace bitrock::dem2d {
 double moving_length(const CutCase& cut);
 
 struct Window {
-  World bed;                             ///< all of the rock as it was made, its discs in columns
-  std::vector<int> place_in_bed;         ///< of a disc, by its id
-  std::vector<std::size_t> joint_order;  ///< joints of `bed` by their second, higher disc
-  std::size_t entered_discs = 0, entered_joints = 0;
-  double column = 0.0;               ///< width of a column [m]
-  double ahead = 0.0, behind = 0.0;  ///< of the tip [m]
-  double low = 0.0, high = 0.0;      ///< ends of the window [m]
-  Discs left_behind;                 ///< as they were when the window left them
+  World bed;                                          ///< all of the rock as it was made, its discs in columns
+  std::vector<int> place_in_bed;                      ///< of a disc, by its id
+  std::vector<std::size_t> joint_order;               ///< joints of `bed` by their second, higher disc
+  std::size_t entered_discs = 0, entered_joints = 0;  ///< since the beginning
+  double column = 0.0;                                ///< width of a column [m]
+  double ahead = 0.0, behind = 0.0;                   ///< of the tip [m]
+  double low = 0.0, high = 0.0;                       ///< ends of the window [m]
+  Discs left_behind;                                  ///< as they were when the window left them
 };
 
 /// Fixes a disc in its place: no force moves what is held. Returns the kinetic energy it had [J/m].
 double hold(Discs& discs, std::size_t disc);
+/// Gives a held disc its mass back.
 void release(Discs& discs, std::size_t disc);
 
 /// Whether a disc has moved less than half its radius from where it was made.

@@ -10,6 +10,7 @@
 
 namespace bitrock::dem2d {
 
+/// As `/frames/0000` and so on, the last one as `/frames/last`.
 void write_frames(base::Hdf5Writer& file, const std::vector<Frame>& frames);
 
 /// How many discs the bed had, attribute `discs`.

@@ -24,11 +24,11 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
 
 /// What the rest of the thread needs of a run: force history, cracks, last frame, and the case it belongs to.
 struct RunFile {
-  std::string config_toml, config_hash, status;
-  std::uint64_t seed = 0;
-  CutCase cut;          ///< from config_toml
-  CutRun run;           ///< frames: the last one only
-  int frame_count = 1;  ///< in the file (frame_file.hpp reads the others)
+  std::string config_toml, config_hash, status;  ///< as in the attributes of the file
+  std::uint64_t seed = 0;                        ///< of the rock
+  CutCase cut;                                   ///< from config_toml
+  CutRun run;                                    ///< frames: the last one only
+  int frame_count = 1;                           ///< in the file (frame_file.hpp reads the others)
 };
 
 /// Throws `base::InputError` when the file is not a whole run.

@@ -15,7 +15,7 @@ struct CurveResult {
   double uncracked_modulus;            ///< secant over the part before the first crack, at most to half the peak [Pa]
   double uncracked_ratio;              ///< over the same part [1]; both NaN when the first point has cracks
   double crack_initiation_stress;      ///< [Pa]; the peak when nothing broke before it
-  int cracks_at_peak;
+  int cracks_at_peak;                  ///< elements broken at the peak
 };
 
 /// `curve` holds at least one point with positive stress.

@@ -48,6 +48,7 @@
 
 namespace bitrock::dem2d {
 
+/// Uniaxial compression, direct tension, Brazilian disc.
 enum class LabTest { ucs, tension, brazilian };
 
 struct LabSettings {
@@ -65,22 +66,23 @@ struct LabSettings {
 
 /// One point of the curve: means over the steps since the point before.
 struct LabSample {
-  double strain, lateral_strain;  ///< [1]
-  double stress;                  ///< [Pa]
-  int cracks_tensile, cracks_shear;
+  double strain, lateral_strain;     ///< [1]
+  double stress;                     ///< [Pa]
+  int cracks_tensile, cracks_shear;  ///< elements broken so far, by mode
 };
 
 /// All discs at one instant.
 struct LabState {
   std::vector<double> x, y, radius;  ///< [m]
-  std::vector<int> id;
-  std::vector<int> fragment;  ///< discs with the same number hang together by bonded joints; 0 is the largest
-  double low, high;           ///< where the platens, or the inner ends of the grips, are [m]
+  std::vector<int> id;               ///< a number a disc keeps
+  std::vector<int> fragment;         ///< discs with the same number hang together by bonded joints; 0 is the largest
+  double low, high;                  ///< where the platens, or the inner ends of the grips, are [m]
 };
 
+/// What one test gave.
 struct LabRun {
-  LabTest test;
-  std::uint64_t seed = 0;
+  LabTest test;                          ///< that was made
+  std::uint64_t seed = 0;                ///< of the specimen
   double width = 0.0, height = 0.0;      ///< of the specimen's box [m]
   int discs = 0, joints = 0;             ///< at the start
   double peak_stress = 0.0;              ///< the strength [Pa]
@@ -91,16 +93,16 @@ struct LabRun {
   double uncracked_ratio = 0.0;          ///< [1]; as above
   int cracks_at_half = 0;                ///< at half the strength
   double crack_initiation_stress = 0.0;  ///< [Pa]
-  int cracks_tensile = 0, cracks_shear = 0, cracks_at_peak = 0;
+  int cracks_tensile = 0, cracks_shear = 0, cracks_at_peak = 0;  ///< elements broken, by mode, and those of the peak
   double fracture_height = 0.0;  ///< tension: median height of the cracks over the core's height [1]; others: NaN
   double imbalance = 0.0;        ///< mean difference of the two end forces up to the peak, over the peak force [1]
   double strain_rate = 0.0;      ///< [1/s]
   double step = 0.0;             ///< [s]
-  long long steps = 0;
-  double wall_time = 0.0;  ///< [s]
-  std::vector<LabSample> curve;
-  std::vector<Crack> cracks;
-  LabState last;  ///< for the picture
+  long long steps = 0;           ///< taken in all
+  double wall_time = 0.0;        ///< [s]
+  std::vector<LabSample> curve;  ///< stress over strain
+  std::vector<Crack> cracks;     ///< in order of time
+  LabState last;                 ///< for the picture
 };
 
 /// The name used on the command line and in files: ucs, tension, brazilian.
@@ -123,6 +125,7 @@ inline constexpr double largest_elastic_ratio = 1.0 / 3.0;
 struct LabBox {
   double width, height;  ///< [m]
 };
+/// The size of the core that a test needs.
 LabBox specimen_box(LabTest test, const LabSettings& settings);
 
 /// Tests one specimen on one core; only `specimen.rock`'s joints and contacts decide its strength, so that they may be

@@ -13,8 +13,8 @@
 namespace bitrock::dem2d {
 
 struct LoadFrame {
-  LabTest test;
-  World world;
+  LabTest test;                  ///< that is made
+  World world;                   ///< the core and what loads it
   double length = 0.0;           ///< of the core between the ends: platens, or inner ends of the grips [m]
   double section = 0.0;          ///< force over this is the stress [m]
   double end_speed = 0.0;        ///< of each end [m/s]
@@ -41,19 +41,22 @@ void advance(LoadFrame& frame);
 
 /// Forces of the core on its ends along the load, positive as the stress is [N/m].
 struct EndForces {
-  double low, high;
+  double low, high;  ///< at the two ends [N/m]
 };
+/// At this instant.
 EndForces end_forces(const LoadFrame& frame);
 
 /// Strain along and across the load now, positive as the stress is [1].
 struct CoreStrain {
-  double along, across;
+  double along, across;  ///< [1]
 };
+/// Of the gauge, since the start.
 CoreStrain core_strain(const LoadFrame& frame);
 
 /// Shortening or stretching of the core between its ends over its length [1].
 double end_strain(const LoadFrame& frame);
 
+/// At this instant.
 LabState state_of(const LoadFrame& frame);
 
 }  // namespace bitrock::dem2d

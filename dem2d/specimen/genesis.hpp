@@ -49,7 +49,7 @@ void check_specimen_size(const Rock& rock, double width, double height, const st
 
 /// Discs under pressure in their box, at rest but not yet joined: walls are the boundaries.
 struct Packing {
-  World world;
+  World world;                     ///< the packed discs, without joints
   double equilibrium_ratio = 0.0;  ///< [1]
   double pressure = 0.0;           ///< [Pa]
   double radius_factor = 1.0;      ///< [1]

@@ -14,7 +14,7 @@
 namespace bitrock::dem2d {
 
 struct Rock {
-  std::string name = "unnamed rock";
+  std::string name = "unnamed rock";  ///< for people
 
   // discs
   double radius_min = 0.5e-3;   ///< [m]
@@ -77,6 +77,7 @@ Rock read_rock(const std::filesystem::path& path);
 bool has_rock_inside(const base::ConfigFile& file);
 /// The rock of such a file. What else stands in it is left to the caller.
 Rock rock_inside(base::ConfigFile& file);
+/// Throws `InputError` for what is no rock; `name` stands in the messages.
 Rock parse_rock(std::string_view text, const std::string& name);
 
 }  // namespace bitrock::dem2d

@@ -20,18 +20,19 @@ inline constexpr const char* origin_genesis = "genesis";
 inline constexpr double most_discs = 1e7;  ///< of one specimen or bed; they need some 10 GB
 
 struct Specimen {
-  Rock rock;
-  double width = 0.0, height = 0.0;  ///< of the box, its lower left corner at the origin [m]
-  std::uint64_t seed = 0;            ///< of the packing, and of what is random in the joints
-  std::string origin = origin_genesis;
-  std::vector<double> x, y, radius;  ///< discs [m]
-  std::vector<int> disc1, disc2;     ///< joined pairs
+  Rock rock;                            ///< that it is made of
+  double width = 0.0, height = 0.0;     ///< of the box, its lower left corner at the origin [m]
+  std::uint64_t seed = 0;               ///< of the packing, and of what is random in the joints
+  std::string origin = origin_genesis;  ///< how the discs were packed
+  std::vector<double> x, y, radius;     ///< discs [m]
+  std::vector<int> disc1, disc2;        ///< joined pairs
 
   // Of the packing just before it was joined; all are 0 when the discs were packed elsewhere.
   double equilibrium_ratio = 0.0;  ///< unbalanced over contact force [1]
   double pressure = 0.0;           ///< mean, compression positive [Pa]
   double radius_factor = 0.0;      ///< all radii have grown by this to reach the pressure [1]
 
+  /// Whether the discs came from a table.
   bool packed_elsewhere() const { return origin != origin_genesis; }
 };
 
@@ -42,9 +43,9 @@ inline constexpr double largest_overlap = 0.5;  // over the smaller radius; gene
 
 /// Two discs that lie in each other.
 struct Overlap {
-  std::size_t disc1 = 0, disc2 = 0;
-  double share = 0.0;  ///< of the smaller radius [1]
-  bool same_centre = false;
+  std::size_t disc1 = 0, disc2 = 0;  ///< places of the two discs
+  double share = 0.0;                ///< of the smaller radius [1]
+  bool same_centre = false;          ///< both lie on one point
 };
 
 /// The first two discs that overlap by more than `largest_overlap`; empty when there are none.
@@ -73,6 +74,7 @@ struct Pieces {
   int unjoined = 0;         ///< discs without any joint
 };
 
+/// Under the joints of the specimen.
 Pieces pieces(const Specimen& specimen);
 
 /// What is allowed but hardly wanted, in words: discs that hang together in pieces.

@@ -21,7 +21,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// How the discs of a vector of joints are placed and move (MotionRow).
 template <class V>
 struct Motion {
-  V x, y, velocity_x, velocity_y, angle, spin;
+  V x, y, velocity_x, velocity_y, angle, spin;  ///< of one disc a lane [m], [m/s], [rad], [rad/s]
 };
 
 template <class D>
@@ -89,7 +89,7 @@ HWY_INLINE Motion<hn::Vec<D>> motion_of(D d, const MotionRow* rows, const int* i
 /// pair_motion.hpp, one pair a lane.
 template <class V>
 struct Pair {
-  V distance, normal_x, normal_y, lever1, lever2, normal_speed, shear_speed;
+  V distance, normal_x, normal_y, lever1, lever2, normal_speed, shear_speed;  ///< of one pair a lane
 };
 
 template <class D, class V = hn::Vec<D>>

@@ -10,10 +10,10 @@ namespace bitrock::dem2d {
 
 /// How disc 2 moves against disc 1 at their contact: n from 1 to 2, t = z x n; `lever` from centre to contact point.
 struct PairMotion {
-  double distance, normal_x, normal_y;
-  double lever1, lever2;
-  double normal_speed;  ///< opening positive [m/s]
-  double shear_speed;   ///< along t [m/s]
+  double distance, normal_x, normal_y;  ///< between centres [m]; from disc 1 to disc 2 [1]
+  double lever1, lever2;                ///< from centre to middle of the contact [m]
+  double normal_speed;                  ///< opening positive [m/s]
+  double shear_speed;                   ///< along t [m/s]
 };
 
 /// With t = (-n_y, n_x), the velocity of disc 2's material point minus disc 1's, along t, is
@@ -44,6 +44,7 @@ inline PairForce pair_force(const PairMotion& motion, double pull, double shear,
           .moment2 = motion.lever2 * shear + moment};
 }
 
+/// Of a loose contact of two discs.
 inline LinearLaw contact_law(const World& world, std::size_t contact) {
   const double kn = world.contacts.normal_stiffness[contact];
   return {.normal_stiffness = kn,
@@ -53,6 +54,7 @@ inline LinearLaw contact_law(const World& world, std::size_t contact) {
           .shear_dashpot = world.contacts.shear_dashpot[contact]};
 }
 
+/// Of a disc of that mass on the boundary.
 inline LinearLaw boundary_law(const Boundary& boundary, double mass) {
   const double kn = linear_wall_stiffness(boundary.modulus), ks = kn / boundary.stiffness_ratio;
   return {.normal_stiffness = kn,

@@ -11,7 +11,7 @@ namespace bitrock::dem2d {
 
 /// Pairs (i < j), sorted.
 struct Pairs {
-  std::vector<int> disc1, disc2;
+  std::vector<int> disc1, disc2;  ///< places of the two discs of each pair
 };
 
 /// All pairs with distance between surfaces at most `gap` [m]. The search ends at the first disc after which more than

@@ -7,11 +7,12 @@
 namespace bitrock::dem2d {
 
 struct Share {
-  int thread = 0, threads = 1;
+  int thread = 0, threads = 1;  ///< this one, of so many
 };
 
+/// From `begin` to below `end`.
 struct Range {
-  std::size_t begin, end;
+  std::size_t begin, end;  ///< of a list
 };
 
 /// Blocks begin at multiples of 8, so that vector units and cache lines are not shared.

@@ -19,6 +19,7 @@ void advance(World& world);
 /// The two halves of `advance`. Between them positions and forces belong to the same instant: the place to look at
 /// energies (step/energy.hpp).
 void find_forces(World& world);
+/// The second half of a step: velocities, positions, boundaries.
 void move(World& world);
 
 /// Share of the longest stable step that is taken [ItascaPFC], and the longest allowed; see `critical_step` [1].

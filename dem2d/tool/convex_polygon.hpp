@@ -9,7 +9,7 @@ namespace bitrock::dem2d {
 
 /// Corners in counter-clockwise order [m].
 struct ConvexPolygon {
-  std::vector<double> x, y;
+  std::vector<double> x, y;  ///< corners, counter-clockwise [m]
 };
 
 struct NearestPoint {
@@ -21,8 +21,10 @@ struct NearestPoint {
 /// Outside: the Euclidean nearest point. Inside: the foot on the face that is least far away.
 NearestPoint nearest_point(const ConvexPolygon& polygon, double x, double y);
 
+/// With these edges [m].
 ConvexPolygon rectangle(double x_low, double y_low, double x_high, double y_high);
 
+/// Moves all corners by so much [m].
 void translate(ConvexPolygon& polygon, double dx, double dy);
 
 }  // namespace bitrock::dem2d

@@ -5,7 +5,8 @@
     python3 docs/reference/renew.py BUILD --check    compares, and fails where one is not current
 
 BUILD is the build folder, with the targets `bitrock` and `reference_pages`. Keys and flags come from the lists that the program
-reads by; columns, arrays and JSON keys from what it writes in small runs of every subcommand.
+reads by; columns, arrays and JSON keys from what it writes in small runs of every subcommand. What arrays mean stands in the
+files; what all else means, in meanings.toml.
 """
 import csv
 import difflib
@@ -14,13 +15,15 @@ import os
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SHIPPED = HERE.parent.parent / "campaigns"
 BY_HAND = "Made by `docs/reference/renew.py` from what the program writes in small runs; do not change it by hand.\n"
 
-SKIP = 77  # of reference_pages on one core
+SKIP = 77  # of reference_pages on one core, and here of a program that was built without a part
+WITHOUT = ("built without the plot library", "built without ONNX")
 
 INPUTS = {
     "rock.toml": (SHIPPED / "rocks/article.toml").read_text(encoding="utf-8"),
@@ -33,7 +36,7 @@ INPUTS = {
     "study.toml": 'rock = "rock.toml"\nseeds = [1]\n\n[grid]\ncutter_speeds_m_per_s = [2]\ndepths_of_cut_mm = [2, 3]\n'
                   "back_rakes_deg = [15]\n\n[cut]\ncut_length_mm = 4\n\n[bed]\nlength_mm = 20\nheight_mm = 10\n",
 }
-NAMED_BY_DATA = ("outputs",)  # objects whose keys are the names of the networks' outputs
+NAMED_BY_DATA = ("outputs", "search.kinds[].outputs")  # objects whose keys are the names of the networks' outputs
 
 MODEL, BIT, DATA = SHIPPED / "paper240/model.json", SHIPPED / "bits/pdc15.toml", SHIPPED / "paper240/features.csv"
 
@@ -41,6 +44,7 @@ MODEL, BIT, DATA = SHIPPED / "paper240/model.json", SHIPPED / "bits/pdc15.toml",
 RUNS = [
     ("specimen", "specimen rock.toml --width-mm 16 --height-mm 16 -o specimen.h5"),
     ("specimen --check", "specimen rock.toml --check"),
+    ("lab --check", "lab ucs quick_start.toml --check"),
     ("lab", "lab ucs quick_start.toml --seeds 1,2 --rate-check -o lab"),
     ("calibrate", "calibrate target.toml -o calibrated.toml --validate-seeds 101"),
     ("calibrate --check", "calibrate target.toml --check -o another.toml"),
@@ -50,9 +54,12 @@ RUNS = [
     ("campaign run", "campaign run study.toml --dir study"),
     ("campaign status", "campaign status --dir study"),
     ("campaign collect", "campaign collect --dir study"),
+    ("campaign features", "campaign features study/forces.h5 -o features.csv"),
     ("campaign submit", "campaign submit --dir study --dry-run"),
     ("peaks", "peaks run.h5 --column x_N_per_m --parts 2"),
     ("train", f"train {DATA} -o model.json --epochs 2 --starts 1"),
+    ("train --search", f"train {DATA} -o model.json --epochs 2 --starts 1 --search --folds 2"),
+    ("train --check", f"train {DATA} -o model.json --check"),
     ("predict", f"predict {MODEL} --speed-m-per-s 1 --depth-mm 2 --rake-deg 20 --cut-length-mm 50"),
     ("parity", f"parity {MODEL} {DATA}"),
     ("signal", f"signal {BIT} --model {MODEL} --rpm 120 --rop-m-per-h 15 --duration-s 0.1 --rate-hz 1000 -o signal.csv"),
@@ -60,18 +67,24 @@ RUNS = [
     ("drill run --check", f"drill run short.toml --model {MODEL} --check"),
     ("drill modes", "drill modes short.toml"),
     ("drill compare", f"drill compare short.toml --model {MODEL} --seeds 1,2 -o compare"),
+    ("drill compare --check", f"drill compare short.toml --model {MODEL} --check"),
     ("drill map", f"drill map short.toml --model {MODEL} --hook-load-kN 25:30:2 --rotation-rpm 60:90:2 -o map.csv"),
+    ("report", "report study -o report.html"),
     ("snapshot", "snapshot run.h5 -o cut.png"),
+    ("animate", "animate run.h5 -o frames"),
     ("export config", "export config run.h5 -o config.toml"),
     ("export vtk", "export vtk run.h5 -o vtk"),
     ("export c", f"export c {MODEL} -o model.c"),
+    ("export matlab", f"export matlab {MODEL} -o model.m"),
+    ("export onnx", f"export onnx {MODEL} -o model.onnx"),
+    ("export bit", f"export bit {MODEL} {BIT} -o bit.h"),
     ("export fmu", f"export fmu {MODEL} {BIT} -o bit.fmu"),
 ]
 TABLES = [("Campaign: features.csv", "study/features.csv"), ("Campaign: features_mean.csv", "study/features_mean.csv"),
           ("Curve of a laboratory test", "lab/ucs_seed_1.csv"), ("Journal of a calibration", "calibrated.toml.journal.csv"),
           ("Force on a bit: signal", "signal.csv"), ("drill compare: summary.csv", "compare/summary.csv"),
           ("drill map", "map.csv")]
-FILES = [("specimen.h5", "specimen.h5"), ("run.h5 (with --frames 2)", "run.h5"), ("drill.h5", "drill.h5")]
+FILES = [("specimen.h5", "specimen.h5"), ("forces.h5", "study/forces.h5"), ("run.h5 (with --frames 2)", "run.h5"), ("drill.h5", "drill.h5")]
 
 
 def short_case():
@@ -83,7 +96,7 @@ def short_case():
 def ran(program, arguments, folder):
     done = subprocess.run([program, *arguments], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           errors="replace")
-    if done.returncode == SKIP:
+    if done.returncode == SKIP or any(words in done.stdout for words in WITHOUT):
         print(done.stdout, end="")
         sys.exit(SKIP)
     if done.returncode:
@@ -106,19 +119,92 @@ def leaves(value, path=""):
         yield path, kind
 
 
-def json_section(name, value):
+UNITS = {"N_m_s_per_rad": "N m s/rad", "rad_per_s": "rad/s", "m_per_s": "m/s", "m_per_h": "m/h", "N_per_m": "N/m", "N_m": "N m",
+         "per_s": "1/s", "Pa": "Pa", "Hz": "Hz", "rpm": "rpm", "kN": "kN", "N": "N", "mm": "mm", "ms": "ms", "m": "m", "s": "s",
+         "deg": "deg", "rad": "rad", "percent": "%"}
+SPREAD = ("mean", "sd", "min", "max")  # of what the object around them names
+STANDARD_ERROR = "_standard_error"  # at the end of the names of columns
+
+
+class Meanings:
+    """What meanings.toml says; it knows what has not been asked for."""
+
+    def __init__(self):
+        self.sections = tomllib.loads((HERE / "meanings.toml").read_text(encoding="utf-8"))
+        self.unused = {(section, name) for section, names in self.sections.items() for name in names}
+        self.missing = []
+
+    def find(self, result, name):
+        """The text of the section that fits best; None where there is none."""
+        fitting = sorted((section for section in self.sections if result.startswith(section)), key=len, reverse=True)
+        for section in [*fitting, "everywhere"]:
+            if name in self.sections[section]:
+                self.unused.discard((section, name))
+                return self.sections[section][name]
+        return None
+
+    def of(self, result, path):
+        """(unit, meaning); the unit is empty for texts."""
+        parts = path.replace("[]", "").split(".")
+        if parts[-1].endswith(STANDARD_ERROR) and result.startswith("Campaign"):
+            unit, meaning = self.of(result, path.removesuffix(STANDARD_ERROR))
+            return unit, f"standard error of the mean over the seeds: {meaning}"
+        for first in range(len(parts)):
+            text = self.find(result, ".".join(parts[first:]))
+            if text is not None:
+                break
+        else:
+            self.missing.append(f"{result}: {path}")
+            return "", ""
+        around = []
+        end = first
+        while end > 0:  # what the objects around it say, the innermost first
+            fits = (begin for begin in range(end) if self.find(result, ".".join(parts[begin:end]) + ".") is not None)
+            begin = next(fits, None)
+            if begin is None:
+                self.missing.append(f"{result}: {'.'.join(parts[:end])}.")
+                break
+            around.append(self.find(result, ".".join(parts[begin:end]) + "."))
+            end = begin
+        named = parts[-2] if parts[-1] in SPREAD and first > 0 else parts[-1]
+        unit = next((UNITS[end] for end in UNITS if named.endswith("_" + end)), "1")
+        said = []
+        for words in [text, *filter(None, around)]:
+            if words.startswith("["):
+                unit, words = words[1:].split("] ", 1)
+            said.append(words)
+        return "" if unit == "text" else unit, "; ".join(said)
+
+    def complain(self):
+        wrong = [f"docs/reference/meanings.toml: no meaning of {name}" for name in self.missing]
+        wrong += [f"docs/reference/meanings.toml: [{section}] {name} is the name of nothing" for section, name in sorted(self.unused)]
+        if wrong:
+            sys.exit("\n".join(wrong))
+
+
+def json_section(name, value, meanings):
     kinds = {}
     for path, kind in leaves(value):
         kinds.setdefault(path, [])
         if kind and kind not in kinds[path]:
             kinds[path].append(kind)
-    rows = [f"| `{path}` | {', '.join(sorted(kinds[path]))} |" for path in sorted(kinds)]
-    return f"\n## bitrock {name}\n\n| key | value |\n|---|---|\n" + "\n".join(rows) + "\n"
+    text = f"\n## bitrock {name}\n\n| key | value | unit | meaning |\n|---|---|---|---|\n"
+    for path in sorted(kinds):
+        unit, meaning = meanings.of(name, path)
+        countable = not kinds[path] or {"number", "null"} & set(kinds[path])
+        text += f"| `{path}` | {', '.join(sorted(kinds[path]))} | {unit if countable else ''} | {meaning} |\n"
+    return text
+
+
+def table(title, rows):
+    return f"\n## {title}\n\n| name | unit | meaning |\n|---|---|---|\n" + "".join(
+        f"| `{name}` | {unit} | {meaning} |\n" for name, unit, meaning in rows)
 
 
 def pages(build):
     """name -> text"""
-    program, lists = str(build / "cli/bitrock"), str(build / "cli/reference_pages")
+    program, lists = str(build / "cli/bitrock"), str(build / "docs/reference/reference_pages")
+    meanings = Meanings()
     made = {"keys.md": ran(lists, ["keys"], "."), "flags.md": ran(lists, ["flags"], ".")}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -126,24 +212,23 @@ def pages(build):
             (folder / file).write_text(text, encoding="utf-8")
         results = "# JSON keys\n\n" + BY_HAND + (
             "`--json FILE` writes them. *null*: the run had no value there; *NAME*: an\n"
-            "output of the networks, such as `x_amax_N_per_m`; `[]`: a list. What they mean: [formats.md](formats.md).\n")
+            "output of the networks, such as `x_amax_N_per_m`; `[]`: a list. More: [formats.md](formats.md).\n")
         for words, command in RUNS:
             ran(program, [*command.split(), "--quiet", "--json", "result.json"], folder)
-            results += json_section(words, json.loads((folder / "result.json").read_text(encoding="utf-8")))
+            results += json_section(words, json.loads((folder / "result.json").read_text(encoding="utf-8")), meanings)
         made["json.md"] = results
-        columns = "# Columns of tables, arrays of files\n\n" + BY_HAND + (
-            "Names end in their unit. What they mean: [formats.md](formats.md).\n\n# Tables (CSV)\n")
+        columns = "# Columns of tables, arrays of files\n\n" + BY_HAND + "More: [formats.md](formats.md).\n\n# Tables (CSV)\n"
         for words, file in TABLES:
-            with open(folder / file, encoding="utf-8") as table:
-                names = next(row for row in csv.reader(table) if row and not row[0].startswith("#"))
-            columns += f"\n## {words}\n\n" + ", ".join(f"`{column}`" for column in names) + "\n"
+            with open(folder / file, encoding="utf-8") as lines:
+                names = next(row for row in csv.reader(lines) if row and not row[0].startswith("#"))
+            columns += table(words, [(column, *meanings.of(words, column)) for column in names])
         columns += "\n# Files (HDF5)\n"
         for words, file in FILES:
-            lines = [line.split(" ", 1) for line in ran(lists, ["arrays", file], folder).splitlines()]
-            for kind, title in (("array", "arrays"), ("attribute", "attributes")):
-                names = ", ".join(f"`{where}`" for what, where in lines if what == kind)
-                columns += f"\n## {words}: {title}\n\n{names}\n"
+            found = json.loads(ran(lists, ["arrays", file], folder))
+            columns += table(f"{words}: arrays", [(array["name"], array["unit"], array["meaning"]) for array in found["arrays"]])
+            columns += table(f"{words}: attributes", [(known, *meanings.of(words, known)) for known in found["attributes"]])
         made["columns.md"] = columns
+    meanings.complain()
     return made
 
 

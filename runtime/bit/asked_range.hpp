@@ -11,7 +11,7 @@ namespace bitrock::runtime {
 
 /// Lowest and highest of one input over the cutters, in the unit of the model.
 struct AskedRange {
-  double low = 0.0, high = 0.0;
+  double low = 0.0, high = 0.0;  ///< in the unit of the input
 };
 
 /// In the order of the model's inputs. `rotation` [rad/s], `rate_of_penetration` [m/s]; a bit with at least one cutter.

@@ -22,10 +22,10 @@ struct Cutter {
 /// One cutter a track ("single-set"): each cutter removes the whole advance of one turn on its own ring. The widths
 /// then add up to the radius of the bit.
 struct Bit {
-  std::string name;
-  double diameter = 0.0;  ///< [m]
-  SignalSettings signal;
-  std::vector<Cutter> cutters;
+  std::string name;             ///< for people
+  double diameter = 0.0;        ///< [m]
+  SignalSettings signal;        ///< how its force is rebuilt
+  std::vector<Cutter> cutters;  ///< in the order of the file
 };
 
 /// Defaults of the signal. A sixth of a turn is 113 mm of cut at the gauge of a 216 mm bit and some 20 mm near its
@@ -35,6 +35,7 @@ inline constexpr double default_window_angle_deg = 60.0;
 /// Throws `InputError` with file, line and key: no cutter, a radius of 0 or beyond the bit's, a width not above 0, an
 /// unknown word or key.
 Bit read_bit(base::ConfigFile& file);
+/// Throws `InputError` when it is no bit.
 Bit read_bit(const std::filesystem::path& path);
 
 /// What is allowed but hardly meant, in words: cutters that leave rock standing between them, or take some of it twice.
@@ -45,10 +46,11 @@ Bit bit_inside(base::ConfigFile& file);
 
 /// What the file says in other terms than the bit holds.
 struct BitWords {
-  std::string combine = "sum";
-  std::string amplitude_fit = "band_preserving";
-  int seed = 1;
+  std::string combine = "sum";                    ///< "sum" or "max"
+  std::string amplitude_fit = "band_preserving";  ///< "band_preserving" or "article"
+  int seed = 1;                                   ///< of all draws
 };
+/// The words of the file for what the bit holds.
 BitWords words_of(const Bit& bit);
 
 /// `[bit]`, then a `[[cutter]]` each, bound to `bit` and `words` (base/config.hpp).

@@ -46,6 +46,7 @@ class BitForce {
   void along(std::span<const double> angles, const BitMotion& motion, std::span<double> axial_force,
              std::span<double> torque);
 
+  /// Questions so far, and those outside the training range.
   ClampTally clamps() const;
   /// Sum over the cutters.
   DrawTally draws() const;
@@ -53,7 +54,9 @@ class BitForce {
   /// The whole state as bytes; `restore` of them, here or in an object of the same bit and model, brings the same
   /// forces again to the last bit. `state` has `state_size()` bytes. `restore` throws `InputError` for other bytes.
   std::size_t state_size() const;
+  /// Writes the state to `state_bytes()` bytes.
   void save(std::span<std::byte> state) const;
+  /// Goes on from a state that was saved.
   void restore(std::span<const std::byte> state);
 
  private:

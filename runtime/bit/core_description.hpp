@@ -12,7 +12,7 @@ namespace bitrock::runtime {
 
 /// The description of a core, with the storage its pointers need.
 struct CoreDescription {
-  std::vector<bitrock_cutter> cutters;
+  std::vector<bitrock_cutter> cutters;            ///< what the description points to
   std::vector<std::vector<std::int32_t>> layers;  ///< of each output
   bitrock_description plain{};                    ///< points into `cutters`, `layers` and the model
 };

@@ -92,19 +92,19 @@ typedef struct {
 /* scaled = (value - offset) / scale, all in the unit of the model file: m/s, mm, deg. */
 typedef struct {
   double low, high; /* training range: conditions outside are moved to its edge and counted */
-  double offset;
-  double scale; /* above 0 */
+  double offset;    /* taken off before scaling */
+  double scale;     /* above 0 */
 } bitrock_input;
 
 /* y = offset + scale g for what the network gives, g; or y = y_0 (exp(offset + scale g) - 1) with a log_reference y_0
  * above 0. Negative y become 0. */
 typedef struct {
-  double offset, scale;     /* finite; of the logarithm where there is a log_reference */
-  double log_reference;     /* y_0, or 0 */
-  const double* parameters; /* for k = 1..K: weights W[k] row by row (n[k] x n[k-1]), then biases b[k] (n[k]) */
-  const int32_t* layers;    /* n[0] = 3, n[1], ..., n[K] = 1; each at most 64 */
-  int32_t layer_count;      /* K + 1, from 2 to 16 */
-  int32_t output_activation;
+  double offset, scale;      /* finite; of the logarithm where there is a log_reference */
+  double log_reference;      /* y_0, or 0 */
+  const double* parameters;  /* for k = 1..K: weights W[k] row by row (n[k] x n[k-1]), then biases b[k] (n[k]) */
+  const int32_t* layers;     /* n[0] = 3, n[1], ..., n[K] = 1; each at most 64 */
+  int32_t layer_count;       /* K + 1, from 2 to 16 */
+  int32_t output_activation; /* BITROCK_OUTPUT_... */
 } bitrock_output;
 
 typedef struct {
@@ -114,10 +114,10 @@ typedef struct {
 } bitrock_model;
 
 typedef struct {
-  bitrock_signal signal;
-  bitrock_model model;
-  const bitrock_cutter* cutters;
-  int64_t cutter_count; /* 1 to 1000 */
+  bitrock_signal signal;         /* how peaks are drawn */
+  bitrock_model model;           /* the networks */
+  const bitrock_cutter* cutters; /* of the bit */
+  int64_t cutter_count;          /* 1 to 1000 */
 } bitrock_description;
 
 /* Of the rock on the bit; resistance to drilling is positive. */

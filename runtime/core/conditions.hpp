@@ -22,6 +22,7 @@ inline constexpr double slowest_rotation = 0.0628;  ///< [rad/s]
 /// mean of changing rates, 1e-15 m/s and less, must not count as drilling.
 inline constexpr double slowest_advance = 1e-9;  ///< [m/s]
 
+/// Whether the bit goes into the rock at this rate [m/s].
 inline bool cuts(double rate_of_penetration) {
   return rate_of_penetration > slowest_advance;
 }
@@ -42,23 +43,24 @@ inline surrogate::CutConditions cut_conditions(double path_radius, double back_r
 
 /// One input of the model, in the unit of its file.
 struct InputNumbers {
-  double low = 0.0;   ///< of the training range
-  double high = 0.0;  ///< of the training range
-  double offset = 0.0;
-  double scale = 1.0;  ///< above 0
+  double low = 0.0;     ///< of the training range
+  double high = 0.0;    ///< of the training range
+  double offset = 0.0;  ///< taken off before scaling
+  double scale = 1.0;   ///< above 0
 };
 
 /// One output of the model; its parameters lie with those of the others, one after the other.
 struct OutputNumbers {
-  double offset = 0.0;
-  double scale = 0.0;
-  double log_reference = 0.0;
-  std::int64_t first_parameter = 0;
-  std::array<int, surrogate::most_layers> layers{};
-  int layer_count = 0;
-  surrogate::OutputActivation activation = surrogate::OutputActivation::rectified;
+  double offset = 0.0;                                                              ///< of the scaled output
+  double scale = 0.0;                                                               ///< of the scaled output
+  double log_reference = 0.0;                                                       ///< y_0, or 0
+  std::int64_t first_parameter = 0;                                                 ///< its place among all parameters
+  std::array<int, surrogate::most_layers> layers{};                                 ///< nodes of each layer
+  int layer_count = 0;                                                              ///< of the network
+  surrogate::OutputActivation activation = surrogate::OutputActivation::rectified;  ///< of the last layer
 };
 
+/// The networks as numbers, without their parameters.
 struct ModelNumbers {
   std::array<InputNumbers, surrogate::input_count> inputs;     ///< in the order of `surrogate::input_names`
   std::array<OutputNumbers, surrogate::output_count> outputs;  ///< in the order of `surrogate::output_names`
@@ -70,6 +72,7 @@ inline constexpr int asked_together = 4;
 /// The model's outputs for the conditions of 1 to `asked_together` cutters, moved to the training range first; what was
 /// moved is counted.
 using Answer = std::array<double, surrogate::output_count>;
+/// An answer for each of `count` conditions.
 void ask(const ModelNumbers& model, const double* parameters, const surrogate::CutConditions* conditions, int count,
          Answer* answers, ClampTally& clamps);
 

@@ -15,47 +15,51 @@
 namespace bitrock::runtime {
 
 inline constexpr double most_windows = 1e15;  ///< every window number below it is an exact double
-inline constexpr std::uint64_t core_magic = 0x62697472'6f636b31ULL;
+inline constexpr std::uint64_t core_magic = 0x62697472'6f636b31ULL;  ///< "bitrock1"
 
 struct CoreCutter {
   double width = 0.0;      ///< [m]
   double back_rake = 0.0;  ///< [rad]
   Answer answer{};         ///< of the model, while a window is entered
-  CutterForce force;
+  CutterForce force;       ///< its windows and pulses
 };
 
 /// What a core is, then what it knows, then how far it is. Behind it in memory: `cutter_count` active cutters, as many
 /// cutters, then the parameters of the networks.
 struct alignas(16) Core {
-  std::uint64_t magic = 0;        ///< `core_magic`
-  std::uint64_t fingerprint = 0;  ///< of the description: states belong to it
-  std::int64_t cutter_count = 0;
-  std::int64_t parameter_count = 0;
-  bool wide = false;  ///< `has_wide_vectors` of the machine it was made on
+  std::uint64_t magic = 0;           ///< `core_magic`
+  std::uint64_t fingerprint = 0;     ///< of the description: states belong to it
+  std::int64_t cutter_count = 0;     ///< of the bit
+  std::int64_t parameter_count = 0;  ///< of all networks together
+  bool wide = false;                 ///< `has_wide_vectors` of the machine it was made on
 
-  SignalSettings signal;
-  ModelNumbers model;
+  SignalSettings signal;        ///< how peaks are drawn
+  ModelNumbers model;           ///< the networks
   double average_window = 0.0;  ///< [s]
 
-  std::int64_t window = no_window;  ///< entered last
-  double window_begin = 0.0;        ///< [rad]
-  ClampTally clamps;
+  std::int64_t window = no_window;    ///< entered last
+  double window_begin = 0.0;          ///< [rad]
+  ClampTally clamps;                  ///< questions so far
   MovingAverage rotation;             ///< [rad/s]
   MovingAverage rate_of_penetration;  ///< [m/s]
 
   std::int64_t fault_cutter = 0;  ///< number of the cutter whose prediction was not finite
-  std::int32_t fault_output = 0;
+  std::int32_t fault_output = 0;  ///< output of the first fault, where there was one
 };
 
+/// What is under way on each cutter.
 inline ActiveCutter* active_cutters(Core& core) {
   return reinterpret_cast<ActiveCutter*>(&core + 1);
 }
+/// Behind the core in memory.
 inline CoreCutter* cutters(Core& core) {
   return reinterpret_cast<CoreCutter*>(active_cutters(core) + core.cutter_count);
 }
+/// Behind the core in memory.
 inline const CoreCutter* cutters(const Core& core) {
   return cutters(const_cast<Core&>(core));
 }
+/// Behind the cutters in memory.
 inline double* parameters(Core& core) {
   return reinterpret_cast<double*>(cutters(core) + core.cutter_count);
 }
@@ -66,6 +70,7 @@ bitrock_status check(const bitrock_description& description, std::int64_t& param
 /// Of the address of a core: both directions of a pulse are read at once.
 inline constexpr std::size_t core_alignment = 16;
 
+/// That a core of this bit needs.
 std::size_t core_bytes(const bitrock_description& description, std::int64_t parameter_count);
 
 /// `memory` holds `core_bytes` and the description has passed `check`.
@@ -95,6 +100,7 @@ bool has_wide_vectors();
 /// Sum over the cutters.
 DrawTally draws(const Core& core);
 
+/// That its state needs.
 std::size_t state_bytes(const Core& core);
 
 /// `state` holds `state_bytes`.

@@ -14,9 +14,11 @@ struct Chain {
   std::vector<double> damping;       ///< [N s/m] / [N m s/rad] of the damper beside it
   std::vector<double> wall_damping;  ///< [N s/m] / [N m s/rad] from the lump to the wall
 
+  /// Number of masses.
   std::size_t size() const { return inertia.size(); }
 };
 
+/// A stretch of pipe of one kind.
 struct PipeSection {
   double length = 0.0;            ///< [m]
   double outer_diameter = 0.0;    ///< [m]
@@ -35,6 +37,7 @@ enum class Lumping {
 
 /// Cross-section [m^2] and polar moment of area [m^4] of a pipe: A = pi (D^2 - d^2) / 4, j = pi (D^4 - d^4) / 32.
 double area(const PipeSection& pipe);
+/// Of the cross-section [m^4].
 double polar_moment(const PipeSection& pipe);
 /// [kg/m]
 double mass_per_length(const PipeSection& pipe);
@@ -47,6 +50,7 @@ double mass_per_length(const PipeSection& pipe);
 /// adding compliances.
 /// **Validity** The axial chain has no spring above its first lump: the hook holds it with a force.
 Chain axial_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping, double damping_ratio);
+/// Of the pipes, in so many lumps.
 Chain torsional_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping, double damping_ratio);
 
 /// **What** Weight of each lump of `axial_chain` in the fluid.
@@ -57,13 +61,13 @@ inline constexpr double gravity = 9.81;  ///< [m/s^2]
 
 /// Position, velocity and acceleration of every lump.
 struct ChainMotion {
-  std::vector<double> position, velocity, acceleration;
+  std::vector<double> position, velocity, acceleration;  ///< of each mass [m] or [rad], and their rates
 };
 
 /// What drives the first lump through its spring: where it is and how fast [m, m/s] / [rad, rad/s].
 struct Drive {
-  double position = 0.0;
-  double velocity = 0.0;
+  double position = 0.0;  ///< of the drive [m] / [rad]
+  double velocity = 0.0;  ///< of the drive [m/s] / [rad/s]
 };
 
 /// Sets `force` to what springs, dampers and wall exert on the lumps at these positions and velocities. [N] / [N m].
@@ -75,7 +79,9 @@ double drive_reaction(const Chain& chain, const ChainMotion& motion, const Drive
 
 /// Energy in the springs, and power that dampers and wall take [J, W].
 double spring_energy(const Chain& chain, const ChainMotion& motion, const Drive& drive);
+/// Of all dampers [W].
 double damper_power(const Chain& chain, const ChainMotion& motion, const Drive& drive);
+/// Of all masses [J].
 double kinetic_energy(const Chain& chain, const ChainMotion& motion);
 
 }  // namespace bitrock::runtime

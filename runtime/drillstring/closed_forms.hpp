@@ -10,6 +10,7 @@
 namespace bitrock::runtime {
 
 struct ClosedForms {
+  /// [Hz] first one of the continuous pipe.
   double axial_continuous = 0.0,
          torsional_continuous = 0.0;  ///< [Hz] first ones of the continuous pipe, free at the bit
   std::vector<double> equal_lumps;    ///< [Hz] of the case's equal torsional lumps

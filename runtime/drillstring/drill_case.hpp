@@ -15,18 +15,20 @@
 
 namespace bitrock::runtime {
 
+/// What shakes the bit.
 enum class SourceKind { none, sinusoidal, noise, bit };
 
 struct SourceCase {
-  SourceKind kind = SourceKind::none;
-  Excitation force;             ///< [N] of the simple kinds
-  Excitation torque;            ///< [N m]
-  double waves_per_turn = 1.0;  ///< sinusoidal
-  double piece_angle = 0.01;    ///< [rad] noise
-  int seed = -1;                ///< of noise or bit; -1: 1, or what the bit file says
-  std::string model_file;       ///< of the networks; empty: to be given at the command line
+  SourceKind kind = SourceKind::none;  ///< which one
+  Excitation force;                    ///< [N] of the simple kinds
+  Excitation torque;                   ///< [N m]
+  double waves_per_turn = 1.0;         ///< sinusoidal
+  double piece_angle = 0.01;           ///< [rad] noise
+  int seed = -1;                       ///< of noise or bit; -1: 1, or what the bit file says
+  std::string model_file;              ///< of the networks; empty: to be given at the command line
 };
 
+/// How long, and how fine.
 struct DrillSchedule {
   double duration = 0.0;    ///< [s]
   double step = 1e-4;       ///< [s]
@@ -36,35 +38,37 @@ struct DrillSchedule {
   double off_bottom = 0.0;  ///< [m] lift of the bit at the beginning
 };
 
+/// A case as its file has it.
 struct DrillCase {
-  std::string name;
-  std::string rock;                ///< the rock the case is about; empty: not said
-  std::vector<PipeSection> pipes;  ///< from top to bottom; empty: the chains are given
-  int axial_lumps = 2, torsional_lumps = 2;
-  Lumping lumping = Lumping::middle;
+  std::string name;                                                 ///< for people
+  std::string rock;                                                 ///< the rock the case is about; empty: not said
+  std::vector<PipeSection> pipes;                                   ///< from top to bottom; empty: the chains are given
+  int axial_lumps = 2, torsional_lumps = 2;                         ///< masses of the string
+  Lumping lumping = Lumping::middle;                                ///< where the masses lie
   double axial_damping_ratio = 0.0, torsional_damping_ratio = 0.0;  ///< [1] of a pair
   Chain axial, torsional;  ///< as given; empty where there are pipes, and `axial` where the weight on bit is imposed
-  TopDrive drive;
-  double drive_inertia = 0.0;  ///< [kg m^2] of a drive that imposes torque
-  double drive_damping = 0.0;  ///< [N m s/rad] of that drive against the ground
-  std::string bit_file;        ///< empty: no bit, or its keys stand in the case itself
-  Bit bit;                     ///< without cutters: none
-  double bit_mass = 0.0;       ///< [kg] added to the lowest axial lump
-  double bit_inertia = 0.0;    ///< [kg m^2] added to the lowest torsional lump; 0 with a bit file: of a cylinder
-  double bit_damping = 0.0;    ///< [N m s/rad] of the bit against the ground
-  Friction wall_friction;
-  std::vector<double> wall_force;                 ///< [N] of the wall on each torsional lump of the string
-  double wall_radius = 0.0;                       ///< [m] arm of that friction
-  BitRock bit_rock;                               ///< `friction_radius` 0 with a bit file: mean radius of its cutters
+  TopDrive drive;          ///< what turns the string
+  double drive_inertia = 0.0;      ///< [kg m^2] of a drive that imposes torque
+  double drive_damping = 0.0;      ///< [N m s/rad] of that drive against the ground
+  std::string bit_file;            ///< empty: no bit, or its keys stand in the case itself
+  Bit bit;                         ///< without cutters: none
+  double bit_mass = 0.0;           ///< [kg] added to the lowest axial lump
+  double bit_inertia = 0.0;        ///< [kg m^2] added to the lowest torsional lump; 0 with a bit file: of a cylinder
+  double bit_damping = 0.0;        ///< [N m s/rad] of the bit against the ground
+  Friction wall_friction;          ///< of the wall on the string
+  std::vector<double> wall_force;  ///< [N] of the wall on each torsional lump of the string
+  double wall_radius = 0.0;        ///< [m] arm of that friction
+  BitRock bit_rock;                ///< `friction_radius` 0 with a bit file: mean radius of its cutters
   double pressure_drop = 0.0, nozzle_area = 0.0;  ///< [Pa], [m^2]
-  bool jets_push_up = true;
-  double fluid_density = 0.0;  ///< [kg/m^3] around the pipes
-  SourceCase source;
-  DrillSchedule run;
+  bool jets_push_up = true;                       ///< the jets lift the bit; otherwise they press it down
+  double fluid_density = 0.0;                     ///< [kg/m^3] around the pipes
+  SourceCase source;                              ///< what shakes the bit
+  DrillSchedule run;                              ///< how long, and how fine
 };
 
 /// Throws `InputError` with file, line and key.
 DrillCase read_drill_case(base::ConfigFile& file);
+/// Throws `InputError` with file and key.
 DrillCase read_drill_case(const std::filesystem::path& path);
 
 /// The case back from `resolved_toml`, long after: the networks it names need not be there any more. `name` is for
@@ -101,6 +105,7 @@ void require_stable(const DrillCase& drill, const DrillString& string);
 /// The rock's spring as the linear chains feel it.
 BitSupport axial_support(const DrillString& string);
 
+/// Natural frequencies [Hz].
 struct DrillModes {
   std::vector<double> axial;             ///< [Hz] bit on the rock's spring; empty without an axial chain
   std::vector<double> axial_off_bottom;  ///< [Hz] bit free: the first is 0; empty without an axial chain

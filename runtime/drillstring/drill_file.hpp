@@ -14,7 +14,7 @@ void write_drill_run(const DrillRun& run, const DrillCase& drill, const std::str
                      const std::filesystem::path& path);
 
 struct DrillFile {
-  DrillRun run;
+  DrillRun run;       ///< read back
   DrillCase drill;    ///< as `recorded_drill_case` gives it: the file of the bit is named, not read
   DrillModes modes;   ///< of its string
   std::string model;  ///< fingerprint of the model file, empty where there was none

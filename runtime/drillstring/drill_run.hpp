@@ -15,20 +15,21 @@ namespace bitrock::runtime {
 
 /// Every list has one entry a sample; values of that instant, not means.
 struct DrillSeries {
-  std::vector<double> time_s;
-  std::vector<double> bit_rotation_rad_per_s;
-  std::vector<double> table_rotation_rad_per_s;
-  std::vector<double> weight_on_bit_N;      ///< of the rock spring and damper
-  std::vector<double> source_force_N;       ///< axial, of the source, upwards on the bit
-  std::vector<double> rop_m_per_s;          ///< speed of the rock face
-  std::vector<double> torque_on_bit_N_m;    ///< friction and fracture
-  std::vector<double> fracture_torque_N_m;  ///< part of it
-  std::vector<double> drive_torque_N_m;     ///< of the top drive on the string
-  std::vector<double> bit_depth_m;          ///< below where the rock face was at the beginning
-  std::vector<double> face_depth_m;
-  std::vector<double> progression_angle_rad;
+  std::vector<double> time_s;                    ///< of the sample
+  std::vector<double> bit_rotation_rad_per_s;    ///< of the bit
+  std::vector<double> table_rotation_rad_per_s;  ///< of the top drive
+  std::vector<double> weight_on_bit_N;           ///< of the rock spring and damper
+  std::vector<double> source_force_N;            ///< axial, of the source, upwards on the bit
+  std::vector<double> rop_m_per_s;               ///< speed of the rock face
+  std::vector<double> torque_on_bit_N_m;         ///< friction and fracture
+  std::vector<double> fracture_torque_N_m;       ///< part of it
+  std::vector<double> drive_torque_N_m;          ///< of the top drive on the string
+  std::vector<double> bit_depth_m;               ///< below where the rock face was at the beginning
+  std::vector<double> face_depth_m;              ///< below where the rock face was at the beginning
+  std::vector<double> progression_angle_rad;     ///< turned forward while cutting
 };
 
+/// Of a number over the steps.
 struct Spread {
   double mean = 0.0, deviation = 0.0, lowest = 0.0,
          highest = 0.0;  ///< deviation: standard, RMS^2 = mean^2 + deviation^2
@@ -53,25 +54,27 @@ struct DrillSummary {
   double drilled = 0.0;               ///< [m] of rock since the beginning; a lift at the beginning is not drilled
   double energy_residual = 0.0;       ///< [1] energy the solver lost over the work that went through the string
   ClampTally clamps;                  ///< of the networks; all 0 without
-  DrawTally draws;
+  DrawTally draws;                    ///< windows that could not have what was asked
 };
 
 /// A bit slower than 1 rpm counts as at rest.
 inline constexpr double at_rest = 0.10471975511965977;  ///< [rad/s]
 
+/// What a case gave.
 struct DrillRun {
-  DrillSeries series;
-  DrillSummary summary;
-  double step = 0.0;  ///< [s] at most that of the case, so that a sample is a whole number of steps
-  long long steps = 0;
+  DrillSeries series;      ///< of the samples
+  DrillSummary summary;    ///< of the steps
+  double step = 0.0;       ///< [s] at most that of the case, so that a sample is a whole number of steps
+  long long steps = 0;     ///< taken in all
   double wall_time = 0.0;  ///< [s] on the clock
 };
 
 /// The source of the case, and the bit behind it where there is one. Throws `InputError` when the model is missing.
 struct DrillSource {
-  std::shared_ptr<BitForce> bit;
-  BitRockSource load;
+  std::shared_ptr<BitForce> bit;  ///< empty for the simple sources
+  BitRockSource load;             ///< what the string feels
 };
+/// Throws `InputError` when the model is missing.
 DrillSource make_source(const DrillCase& drill, const std::optional<surrogate::Model>& model);
 
 /// In words, when the case is about another rock than the model; empty otherwise.

@@ -16,11 +16,11 @@ namespace bitrock::runtime {
 
 /// Rotation imposed on the first spring, or torque on a drive that is itself the first lump of the torsional chain.
 struct TopDrive {
-  bool imposes_speed = true;
-  double rotation = 0.0;   ///< [rad/s] 0 or more, where it imposes speed
-  double torque = 0.0;     ///< [N m] where it does not
-  double ramp = 0.0;       ///< [s] both grow from 0 to full with `step5` in this time; 0: at once
-  double hook_load = 0.0;  ///< [N] upwards on the first axial lump
+  bool imposes_speed = true;  ///< otherwise a torque
+  double rotation = 0.0;      ///< [rad/s] 0 or more, where it imposes speed
+  double torque = 0.0;        ///< [N m] where it does not
+  double ramp = 0.0;          ///< [s] both grow from 0 to full with `step5` in this time; 0: at once
+  double hook_load = 0.0;     ///< [N] upwards on the first axial lump
 };
 
 /// Angle and speed of an imposing drive at time t: the integral of step5, S(s) = 5/2 s^4 - 3 s^5 + s^6.
@@ -28,15 +28,17 @@ Drive drive_at(const TopDrive& drive, double time);
 /// Torque [N m] of a drive that imposes it.
 double drive_torque_at(const TopDrive& drive, double time);
 
+/// How friction depends on speed.
 enum class FrictionLaw { none, smooth, stribeck };
 
 /// Friction at the bit or at the wall; both constants are there, `law` says which count.
 struct Friction {
-  FrictionLaw law = FrictionLaw::none;
-  SmoothFriction smooth;
-  StribeckFriction stribeck;
+  FrictionLaw law = FrictionLaw::none;  ///< which one is used
+  SmoothFriction smooth;                ///< used for `smooth`
+  StribeckFriction stribeck;            ///< used for `stribeck`
 };
 
+/// How the bit advances under its weight.
 enum class AdvanceLaw { none, root, regularized };
 
 /// What of the source's axial force acts on the bit. It acts beside the rock spring; with its mean, the spring carries
@@ -45,31 +47,31 @@ enum class AxialSource { full, fluctuation, none };
 
 /// Everything at the bit.
 struct BitRock {
-  Friction friction;
-  double friction_radius = 0.0;  ///< [m] arm of the friction: torque = W r mu
-  AdvanceLaw advance_law = AdvanceLaw::root;
-  RootAdvance root_advance;
-  RegularizedAdvance regularized_advance;
-  double threshold_weight = 0.0;  ///< [N] W_TS
-  RockContact contact;
-  double hydraulic_force = 0.0;     ///< [N] upwards on the bit
-  double fracture_stiffness = 2e4;  ///< [N m/rad]
-  Unloading unloading = Unloading::free;
-  AxialSource axial_source = AxialSource::full;
-  double engagement_depth = 0.4e-3;  ///< [m] lift of the bit at which the cutters have left the rock
-  double averaging_time = 0.1;       ///< [s] of rotation and ROP before they reach the source
-  double imposed_weight = 0.0;       ///< [N] weight on bit when there is no axial chain
+  Friction friction;                             ///< of the bit on the rock
+  double friction_radius = 0.0;                  ///< [m] arm of the friction: torque = W r mu
+  AdvanceLaw advance_law = AdvanceLaw::root;     ///< which one is used
+  RootAdvance root_advance;                      ///< used for `root`
+  RegularizedAdvance regularized_advance;        ///< used for `regularized`
+  double threshold_weight = 0.0;                 ///< [N] W_TS
+  RockContact contact;                           ///< spring and damper
+  double hydraulic_force = 0.0;                  ///< [N] upwards on the bit
+  double fracture_stiffness = 2e4;               ///< [N m/rad]
+  Unloading unloading = Unloading::free;         ///< when the bit turns back
+  AxialSource axial_source = AxialSource::full;  ///< which part of the force of the source acts
+  double engagement_depth = 0.4e-3;              ///< [m] lift of the bit at which the cutters have left the rock
+  double averaging_time = 0.1;                   ///< [s] of rotation and ROP before they reach the source
+  double imposed_weight = 0.0;                   ///< [N] weight on bit when there is no axial chain
 };
 
 /// Parts that do not change.
 struct DrillString {
-  Chain axial;                  ///< empty: the weight on bit is imposed
-  std::vector<double> weights;  ///< [N] of each axial lump, downwards
-  Chain torsional;              ///< with the drive as first lump when that imposes torque
-  TopDrive drive;
-  Friction wall_friction;
+  Chain axial;                      ///< empty: the weight on bit is imposed
+  std::vector<double> weights;      ///< [N] of each axial lump, downwards
+  Chain torsional;                  ///< with the drive as first lump when that imposes torque
+  TopDrive drive;                   ///< what turns the upper end
+  Friction wall_friction;           ///< of the wall on the string
   std::vector<double> wall_moment;  ///< [N m] normal force times radius at each torsional lump; empty: none
-  BitRock bit;
+  BitRock bit;                      ///< what acts at the lower end
 };
 
 /// One number for every way energy enters or leaves the string: work since the beginning [J], or power [W].
@@ -82,14 +84,14 @@ struct EnergyFlows {
 
 /// Room a step needs for each chain.
 struct ChainRoom {
-  std::vector<double> predicted, force;
+  std::vector<double> predicted, force;  ///< of one step
 };
 
 /// All that changes. Positions are positive downwards, angles in the direction of drilling; everything is of one
 /// instant.
 struct DrillState {
-  double time = 0.0;  ///< [s]
-  ChainMotion axial, torsional;
+  double time = 0.0;                 ///< [s]
+  ChainMotion axial, torsional;      ///< of both chains
   std::vector<int> sliding;          ///< direction of each torsional lump where dry friction acts, 0: sticks
   double face = 0.0;                 ///< [m] position of the rock face below the bit
   double progression = 0.0;          ///< [rad] theta_bp
@@ -102,9 +104,9 @@ struct DrillState {
   double source_torque = 0.0;        ///< [N m] most that the rock before the cutters bears, 0 or more
   double source_mean = 0.0;          ///< [N] running mean of the source's force (fluctuation only)
   bool source_known = false;         ///< whether `source_mean` has begun
-  MovingAverage smooth_rotation, smooth_advance;
-  EnergyFlows work, power;  ///< [J] so far, [W] at this instant
-  ChainRoom axial_room, torsional_room;
+  MovingAverage smooth_rotation, smooth_advance;  ///< of the bit, for the cutting conditions
+  EnergyFlows work, power;                        ///< [J] so far, [W] at this instant
+  ChainRoom axial_room, torsional_room;           ///< what a step needs in between
 };
 
 /// State at the beginning. `turning`: already at the speed of the drive, without twist; otherwise at rest. The axial

@@ -19,7 +19,7 @@ BitRockSource no_excitation();
 
 /// One component of the simple sources: [N] or [N m].
 struct Excitation {
-  double mean = 0.0;
+  double mean = 0.0;       ///< in the unit of the signal
   double deviation = 0.0;  ///< standard deviation, 0 or more; RMS^2 = mean^2 + deviation^2
 };
 

@@ -9,8 +9,8 @@ namespace bitrock::runtime {
 
 /// A run under a simple source, and how well it met what was asked.
 struct MatchedRun {
-  DrillCase drill;  ///< as it was run: source, mean and deviation
-  DrillRun run;
+  DrillCase drill;        ///< as it was run: source, mean and deviation
+  DrillRun run;           ///< with the source that was found
   double mismatch = 0.0;  ///< [1] largest error of mean and RMS of force and torque, over those of the target
 };
 

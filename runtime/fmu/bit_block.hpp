@@ -23,19 +23,19 @@
 
 namespace bitrock::fmu {
 
-inline constexpr std::uint64_t block_magic = 0x6b636f6c42746942ULL;  ///< "BitBlock"
-inline constexpr std::uint64_t block_version = 1;
+inline constexpr std::uint64_t block_magic = 0x6b636f6c42746942ULL;    ///< "BitBlock"
+inline constexpr std::uint64_t block_version = 1;                      ///< of the bytes
 inline constexpr std::size_t block_checked_from = 32;                  ///< [bytes]
 inline constexpr std::size_t guid_bytes = 40;                          ///< with at least one 0 at the end
 inline constexpr std::size_t most_block_bytes = std::size_t{1} << 26;  ///< 64 MB: far above any bit, far below memory
 
 /// What a block says. Points into its bytes; so it must not be copied away from them, nor moved itself.
 struct BitBlock {
-  std::uint64_t checksum = 0;
+  std::uint64_t checksum = 0;  ///< of all behind it
   std::array<char, guid_bytes> guid{};
-  double threshold_weight = 0.0;  ///< [N]
-  bitrock_description description{};
-  std::array<std::array<std::int32_t, 16>, 10> layers{};
+  double threshold_weight = 0.0;                          ///< [N]
+  bitrock_description description{};                      ///< points into the bytes
+  std::array<std::array<std::int32_t, 16>, 10> layers{};  ///< nodes of the layers of each network
 };
 
 /// Reads `bytes`, on an address divisible by 8. Null when they are whole and describe a core that can be made;

@@ -9,27 +9,29 @@
 namespace bitrock::fmu {
 
 struct Settings {
-  bitrock_signal signal{};
+  bitrock_signal signal{};        ///< parameters of the FMU
   double threshold_weight = 0.0;  ///< [N]
 };
 
+/// What the host sets.
 struct Inputs {
   double rotation = 0.0;             ///< [rad/s]
   double rate_of_penetration = 0.0;  ///< [m/s]
   double weight = 0.0;               ///< [N]
 };
 
+/// Where the host is in the order of calls.
 enum class Phase : std::int64_t { instantiated, initialising, stepping, terminated };
 
 /// Everything that changes but the core. All members have eight bytes: copies of it are compared and saved as bytes.
 struct Moment {
-  Phase phase = Phase::instantiated;
-  std::int64_t stale = 1;  ///< 1: what is below `inputs` has to be found for these inputs and settings first
-  double time = 0.0;       ///< [s] of the last communication point
+  Phase phase = Phase::instantiated;  ///< of the instance
+  std::int64_t stale = 1;             ///< 1: what is below `inputs` has to be found for these inputs and settings first
+  double time = 0.0;                  ///< [s] of the last communication point
   double stop_time = std::numeric_limits<double>::infinity();  ///< [s]
-  Inputs inputs;
-  double speed = 0.0;         ///< [rad/s] of the angle
-  double speed_since = 0.0;   ///< [s]
+  Inputs inputs;                                               ///< of this step
+  double speed = 0.0;                                          ///< [rad/s] of the angle
+  double speed_since = 0.0;                                    ///< [s]
   double angle_since = 0.0;   ///< [rad] at that time, with what the step before it missed
   double last_step = 0.0;     ///< [s] length of the step that ended at `time`
   double angle = 0.0;         ///< [rad] turned forward while cutting
@@ -39,19 +41,22 @@ struct Moment {
   double depth_of_cut = 0.0;  ///< [m]
 };
 
+/// One instance.
 struct Slave {
-  char* bytes = nullptr;  ///< of the block
-  BitBlock block;
-  bitrock_core* core = nullptr;
+  char* bytes = nullptr;         ///< of the block
+  BitBlock block;                ///< bit and model
+  bitrock_core* core = nullptr;  ///< its force
   bitrock_signal core_signal{};  ///< the core was made with it
-  Settings settings;
-  Moment moment;
+  Settings settings;             ///< parameters
+  Moment moment;                 ///< all that changes
 };
 
 /// Takes over `bytes` (of `malloc`), also when it fails. Null, or the reason.
 const char* make(Slave& slave, char* bytes, std::size_t size);
+/// Gives the core back.
 void destroy(Slave& slave);
 
+/// As the bit file has them.
 Settings start_settings(const Slave& slave);
 
 /// Whether a core can be made with these.
@@ -81,6 +86,7 @@ bitrock_status step(Slave& slave, double end);
 
 /// The state as bytes: they can be restored by any slave of the same FMU on a machine of the same byte order.
 std::size_t state_bytes(const Slave& slave);
+/// To `state_bytes` bytes.
 void save(const Slave& slave, char* state);
 /// Null, or the reason; then nothing has changed.
 const char* restore(Slave& slave, const char* state, std::size_t size);

@@ -13,8 +13,8 @@
 namespace bitrock::fmu {
 
 struct FmuFile {
-  std::string bytes;
-  std::string guid;
+  std::string bytes;                   ///< of the ZIP archive
+  std::string guid;                    ///< ties description and block together
   std::vector<std::string> platforms;  ///< it has libraries for: "linux64", "win64"
 };
 

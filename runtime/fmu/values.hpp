@@ -5,11 +5,14 @@
 
 namespace bitrock::fmu {
 
+/// Of an output, parameter or input by its number.
 double real_value(const Slave& slave, unsigned reference);
 /// Also of enumerations.
 int integer_value(const Slave& slave, unsigned reference);
 
+/// Of an input or a parameter by its number.
 void set_value(Settings& settings, Inputs& inputs, unsigned reference, double value);
+/// Of a parameter by its number.
 void set_value(Settings& settings, Inputs& inputs, unsigned reference, int value);
 
 }  // namespace bitrock::fmu

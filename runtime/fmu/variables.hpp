@@ -6,6 +6,7 @@
 
 namespace bitrock::fmu {
 
+/// Numbers of the variables.
 enum Reference : unsigned {
   rotation,
   rate_of_penetration,
@@ -26,17 +27,20 @@ enum Reference : unsigned {
   variable_count
 };
 
+/// What the host does with a variable.
 enum class Causality { input, output, parameter };
 enum class Type { real, integer, combine, amplitude_fit };  ///< the last two: words, as enumerations
 
+/// One variable of the description.
 struct Variable {
-  const char* name;
-  Causality causality;
-  Type type;
-  const char* unit;  ///< of `units` in model_description.cpp; empty: a plain number
-  const char* description;
+  const char* name;         ///< with its unit
+  Causality causality;      ///< input, output or parameter
+  Type type;                ///< of the value
+  const char* unit;         ///< of `units` in model_description.cpp; empty: a plain number
+  const char* description;  ///< for people
 };
 
+/// In the order of their numbers.
 inline constexpr std::array<Variable, variable_count> variables{{
     {"rotation_rad_per_s", Causality::input, Type::real, "rad/s",
      "rotation of the bit, positive in the direction of drilling; it cuts only while this is above 0"},
@@ -65,7 +69,7 @@ inline constexpr std::array<Variable, variable_count> variables{{
 /// Values of the two enumerations begin at 1, as some importers count their items.
 inline constexpr int first_item = 1;
 
-inline constexpr const char* model_identifier = "bitrock_bit";
-inline constexpr const char* block_file = "bit.block";  ///< in the folder `resources`
+inline constexpr const char* model_identifier = "bitrock_bit";  ///< name of the libraries inside
+inline constexpr const char* block_file = "bit.block";          ///< in the folder `resources`
 
 }  // namespace bitrock::fmu

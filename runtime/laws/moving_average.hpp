@@ -20,7 +20,7 @@ struct MovingAverage {
   std::array<double, average_places> integral{};  ///< of the signal from the first sample ever to those instants
   double constant_since = 0.0;                    ///< [s] the signal has had its last value since then
   int first = 0;                                  ///< place of the oldest
-  int count = 0;
+  int count = 0;                                  ///< of the entries that count
 };
 static_assert(std::is_trivially_copyable_v<MovingAverage>);
 

@@ -17,7 +17,7 @@ namespace bitrock::runtime {
 /// over an edge finds what it left.
 inline constexpr int windows_kept = 4;
 
-inline constexpr std::int64_t no_window = std::numeric_limits<std::int64_t>::min();
+inline constexpr std::int64_t no_window = std::numeric_limits<std::int64_t>::min();  ///< before the first
 
 /// All that a cutter remembers. What it has drawn follows from this and its settings, so a copy of this much is enough
 /// to come back to a moment.
@@ -25,15 +25,16 @@ struct CutterMemory {
   std::int64_t entered = no_window;                         ///< window of the last `enter_window`
   std::array<std::int64_t, windows_kept> kept{};            ///< which window lies in each place
   std::array<CutterStatistics, windows_kept> statistics{};  ///< with which each was drawn
-  DrawTally tally;
+  DrawTally tally;                                          ///< of its windows
 };
 
+/// One cutter under way.
 struct CutterForce {
-  SignalSettings settings;
-  int cutter = 0;            ///< number on the bit, part of the address of every draw
-  double path_radius = 0.0;  ///< [m] of the circle it cuts, above 0
-  CutterMemory memory;
-  std::array<PeakWindow, windows_kept> windows;
+  SignalSettings settings;                       ///< of the bit
+  int cutter = 0;                                ///< number on the bit, part of the address of every draw
+  double path_radius = 0.0;                      ///< [m] of the circle it cuts, above 0
+  CutterMemory memory;                           ///< what it remembers
+  std::array<PeakWindow, windows_kept> windows;  ///< as they were drawn, by place
   PulseTrain train;  ///< of the window entered last; its angle 0 is where that window begins
 };
 

@@ -13,7 +13,7 @@ namespace bitrock::runtime {
 /// Address of one window of one cutter. Draws hang on this address and not on a place in a stream, so a signal does
 /// not depend on step size, on the order of evaluation, or on threads.
 struct WindowKey {
-  std::uint64_t seed = 0;
+  std::uint64_t seed = 0;   ///< of the draws
   int cutter = 0;           ///< number of the cutter on the bit: different cutters draw differently
   std::int64_t window = 0;  ///< k: the window covers k theta_T <= theta < (k + 1) theta_T
 };
@@ -35,7 +35,9 @@ struct PeakCounts {
   double nu4 = 0.0;     ///< [1] expected of n4
   bool capped = false;  ///< expected and whole counts were scaled down to `largest_peak_count`
 
+  /// All peaks that were drawn.
   int total() const { return n1 + n23 + n4; }
+  /// All peaks that were asked for.
   double expected() const { return nu1 + nu23 + nu4; }
 };
 

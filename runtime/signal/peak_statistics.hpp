@@ -10,6 +10,7 @@ struct CutterStatistics {
   peaks::PeakRates x;  ///< cutting direction, resistance positive
   peaks::PeakRates y;  ///< axial direction, push out of the rock positive
 
+  /// Bit by bit.
   bool operator==(const CutterStatistics&) const = default;
 };
 

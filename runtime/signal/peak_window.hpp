@@ -13,8 +13,8 @@ namespace bitrock::runtime {
 
 /// One component of a drawn window.
 struct ComponentDraw {
-  PeakCounts counts;
-  FitOutcome fit;
+  PeakCounts counts;        ///< that were drawn
+  FitOutcome fit;           ///< of the amplitudes
   double half_width = 0.0;  ///< [rad] h; 0 when there are no peaks
   bool narrowed = false;    ///< h is one window and should be more
 };
@@ -28,8 +28,8 @@ struct Peak {
 
 struct PeakWindow {
   FixedList<Peak, largest_peak_count> peaks;  ///< highest of x first, then by bands of x
-  ComponentDraw x;
-  ComponentDraw y;
+  ComponentDraw x;                            ///< cutting direction
+  ComponentDraw y;                            ///< out of the rock
 };
 
 /// **What** Draws the window of address `key` into `window`.

@@ -5,6 +5,7 @@
 
 namespace bitrock::runtime {
 
+/// What overlapping pulses of a cutter become.
 enum class Combine {
   sum,  ///< overlapping pulses add up: keeps the area under the force, may exceed amax; the default
   max,  ///< the highest of the overlapping pulses: never exceeds amax, loses area
@@ -19,9 +20,9 @@ enum class AmplitudeFit {
 struct SignalSettings {
   double window_angle = 0.0;        ///< [rad] theta_T, above 0
   double pulse_width_factor = 1.0;  ///< [1] f, above 0 and at most 2: pulses reach no further than one window away
-  Combine combine = Combine::sum;
-  AmplitudeFit amplitude_fit = AmplitudeFit::band_preserving;
-  std::uint64_t seed = 0;  ///< of all draws
+  Combine combine = Combine::sum;   ///< of overlapping pulses
+  AmplitudeFit amplitude_fit = AmplitudeFit::band_preserving;  ///< of the heights to their mean
+  std::uint64_t seed = 0;                                      ///< of all draws
 };
 
 }  // namespace bitrock::runtime

@@ -8,11 +8,12 @@ namespace bitrock::runtime {
 /// How often the network was asked outside its training range and answered for the nearest edge instead. One count a
 /// question and reason; a question is asked per cutter and window.
 struct ClampTally {
-  std::int64_t asked = 0;
-  std::int64_t speed_below = 0, speed_above = 0;
-  std::int64_t depth_below = 0, depth_above = 0;
-  std::int64_t rake_below = 0, rake_above = 0;
+  std::int64_t asked = 0;                         ///< questions to the networks
+  std::int64_t speed_below = 0, speed_above = 0;  ///< outside the speeds of the training
+  std::int64_t depth_below = 0, depth_above = 0;  ///< outside the depths of the training
+  std::int64_t rake_below = 0, rake_above = 0;    ///< outside the rakes of the training
 
+  /// All that were outside.
   std::int64_t clamped() const {
     return speed_below + speed_above + depth_below + depth_above + rake_below + rake_above;
   }
@@ -37,6 +38,7 @@ struct DrawTally {
   std::int64_t narrowed = 0;     ///< pulses as wide as a window that should be wider: less than f / 2 peaks expected
   std::int64_t capped = 0;       ///< more than `largest_peak_count` peaks asked for
 
+  /// Adds the counts of another bit or run.
   void add(const DrawTally& other);
 };
 

@@ -139,6 +139,22 @@ LabResults run_series(const LabSeries& series, int jobs, const base::ProgressCal
   return results;
 }
 
+void require_all(const LabResults& results) {
+  const std::size_t all = results.runs.size() + results.failures.size() + results.not_tested.size();
+  if (results.ended_by) {
+    try {
+      std::rethrow_exception(results.ended_by);
+    } catch (const base::Interrupted& stopped) {
+      throw base::Interrupted(
+          fmt::format("{}: {} of {} seeds are finished and kept", stopped.what(), results.runs.size(), all));
+    }
+  }
+  if (results.failures.empty()) return;
+  std::string reasons;
+  for (const auto& [seed, reason] : results.failures) reasons += "\n  " + reason;
+  throw base::SimulationError(fmt::format("{} of {} tests failed:{}", results.failures.size(), all, reasons));
+}
+
 LabCost cost_of(const LabSeries& series) {
   const dem2d::LabBox box = dem2d::specimen_box(series.test, series.settings);
   LabCost cost;

@@ -47,6 +47,9 @@ struct LabResults {
 LabResults run_series(const LabSeries& series, int jobs, const base::ProgressCallback& progress,
                       const std::function<void(const dem2d::LabRun&)>& finished);
 
+/// Throws when not every seed gave a result: what ended the work, or `SimulationError` with the reasons.
+void require_all(const LabResults& results);
+
 /// What the series will cost; discs of one core.
 struct LabCost {
   double discs = 0.0;

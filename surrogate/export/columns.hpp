@@ -19,7 +19,9 @@ struct Column {
   double high = 0.0;    ///< largest value seen in training, in `unit`
 };
 
+/// In SI, in the order of the arguments.
 std::array<Column, input_count> condition_columns(const Model& model);
+/// In SI, in the order of the results.
 std::array<Column, output_count> statistic_columns(const Model& model);
 
 }  // namespace bitrock::surrogate

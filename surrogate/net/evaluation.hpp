@@ -22,15 +22,16 @@ enum class OutputActivation {
 inline constexpr int widest_layer = 64;
 inline constexpr int most_layers = 16;  ///< entries of `layers`, input and output included
 
-inline constexpr int input_count = 3;
-inline constexpr int output_count = 10;
+inline constexpr int input_count = 3;       ///< speed, depth, rake
+inline constexpr int output_count = 10;     ///< five statistics of two forces
 inline constexpr int statistics_count = 5;  ///< outputs of one direction
 
-inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;
+inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;  ///< one degree
 
 /// SI units in one unit of each input: cutter speed [m/s], depth of cut [mm], back rake [deg].
 inline constexpr std::array<double, input_count> si_per_input_unit{1.0, 1e-3, radians_per_degree};
 
+/// What a cut is asked for by, in SI.
 struct CutConditions {
   double cutter_speed = 0.0;  ///< [m/s] along the rock surface
   double depth_of_cut = 0.0;  ///< [m]
@@ -57,10 +58,10 @@ inline double activated(OutputActivation output, double z) {
 
 /// The numbers of a network as in `network.hpp`, owned by somebody else.
 struct NetworkNumbers {
-  const int* layers = nullptr;  ///< n[0], n[1], ..., n[K]
-  int layer_count = 0;          ///< K + 1
-  OutputActivation output = OutputActivation::rectified;
-  const double* parameters = nullptr;  ///< for k = 1..K: W[k] row by row, then b[k]
+  const int* layers = nullptr;                            ///< n[0], n[1], ..., n[K]
+  int layer_count = 0;                                    ///< K + 1
+  OutputActivation output = OutputActivation::rectified;  ///< of the last layer
+  const double* parameters = nullptr;                     ///< for k = 1..K: W[k] row by row, then b[k]
 };
 
 /// Forward pass of n[0] numbers to n[K], for `questions` of them side by side: number i of question q stands in
@@ -107,10 +108,11 @@ inline double from_network(double offset, double scale, double log_reference, do
 /// Lowest and highest value of an input that count as inside its training range, in its unit: 1e-9 of the bound
 /// wider than the range, so that the rounding of a unit conversion does not fall outside.
 struct Bounds {
-  double low = 0.0;
-  double high = 0.0;
+  double low = 0.0;   ///< lowest value that counts as inside
+  double high = 0.0;  ///< highest value that counts as inside
 };
 
+/// The bounds of a training range.
 inline Bounds widened_range(double low, double high) {
   // Rounding of a unit conversion there and back is a few 1e-16 of the value; 1e-9 is far above it and far below any
   // difference in cutting conditions that somebody could mean.

@@ -24,10 +24,15 @@ class JsonPlace {
   std::size_t list() const;               ///< length of a list
   void list_of(std::size_t count) const;  ///< a list of just that length
   double number() const;                  ///< finite
+  /// Within these; else an error with the place.
   double number_from(double low, double high) const;
+  /// From 0 on; else an error with the place.
   std::uint64_t whole_up_to(std::uint64_t high) const;
+  /// Any text.
   std::string text() const;
+  /// True or false.
   bool flag() const;
+  /// A list of them.
   std::vector<int> whole_numbers() const;
 
   /// Throws `base::InputError`.

@@ -40,9 +40,9 @@ struct LearningPoint {
 struct OutputModel {
   Variable variable;           ///< offset and scale are in its unit, or dimensionless with a log_reference
   double log_reference = 0.0;  ///< y_0, in the unit of the variable; 0: the network gives the value itself
-  Network network;
-  int restarts = 0;                           ///< dead networks drawn or trained before this one
-  int best_epoch = 0;                         ///< the epoch whose parameters were kept
+  Network network;             ///< in scaled units
+  int restarts = 0;            ///< dead networks drawn or trained before this one
+  int best_epoch = 0;          ///< the epoch whose parameters were kept
   std::vector<LearningPoint> learning_curve;  ///< at most 200 points, the last epoch among them
 };
 
@@ -60,16 +60,17 @@ struct DataPart {
   int first_case = 0;       ///< added to the case numbers of the file, so that those of all parts differ
 };
 
+/// Where a model comes from.
 struct Provenance {
-  std::string data_file;             ///< file name without folder
-  std::string data_fingerprint;      ///< `base::fingerprint_text` of the file
-  std::vector<DataPart> data_parts;  ///< when it was several files; then the two above speak of all together
-  std::string initial_fingerprint;   ///< of the model file a warm start began from; empty: a random start
-  std::uint64_t seed = 0;            ///< of initial weights and batch order
-  std::uint64_t split_seed = 0;      ///< of the choice of test cases
-  double split = 0.0;                ///< fraction of the cases used for training
-  bool shuffle = true;               ///< false: file order, the last cases are the test set
-  int epochs = 0;
+  std::string data_file;              ///< file name without folder
+  std::string data_fingerprint;       ///< `base::fingerprint_text` of the file
+  std::vector<DataPart> data_parts;   ///< when it was several files; then the two above speak of all together
+  std::string initial_fingerprint;    ///< of the model file a warm start began from; empty: a random start
+  std::uint64_t seed = 0;             ///< of initial weights and batch order
+  std::uint64_t split_seed = 0;       ///< of the choice of test cases
+  double split = 0.0;                 ///< fraction of the cases used for training
+  bool shuffle = true;                ///< false: file order, the last cases are the test set
+  int epochs = 0;                     ///< that were allowed
   int batch = 0;                      ///< rows a step
   double learning_rate = 0.0;         ///< [1]
   double validation = 0.0;            ///< fraction of the training cases that say when to stop; 0: none
@@ -82,16 +83,17 @@ struct Provenance {
   std::vector<int> validation_cases;  ///< ascending case numbers
   std::vector<int> test_cases;        ///< ascending case numbers
   std::string choice;                 ///< which kinds of network were compared and why this one; empty: not compared
-  std::string bitrock_version;
+  std::string bitrock_version;        ///< that trained it
 };
 
 /// Name and unit every model has at each place; `si_per_unit` turns file units into SI.
 struct VariableName {
-  std::string_view name;
-  std::string_view unit;
-  double si_per_unit;
+  std::string_view name;  ///< as in files
+  std::string_view unit;  ///< of its values
+  double si_per_unit;     ///< SI value = value * si_per_unit
 };
 
+/// Of the networks, in order.
 inline constexpr std::array<VariableName, input_count> input_names{{
     {"cutter_speed_m_per_s", "m/s", si_per_input_unit[0]},
     {"depth_of_cut_mm", "mm", si_per_input_unit[1]},
@@ -121,14 +123,14 @@ struct Model {
   std::array<Variable, input_count> inputs;       ///< in the order of `input_names`
   std::array<OutputModel, output_count> outputs;  ///< in the order of `output_names`
   std::string rock;                               ///< which rock, for people
-  Provenance provenance;
+  Provenance provenance;                          ///< where it comes from
 };
 
 /// Forces are per metre of thickness out of the plane of cutting.
 struct Prediction {
-  peaks::PeakRates x;  ///< cutting direction
-  peaks::PeakRates y;  ///< axial direction, out of the rock
-  bool inside_training_range = false;
+  peaks::PeakRates x;                  ///< cutting direction
+  peaks::PeakRates y;                  ///< axial direction, out of the rock
+  bool inside_training_range = false;  ///< for these conditions
 };
 
 /// The ten numbers in the order of `output_names`.

@@ -23,8 +23,8 @@ namespace bitrock::surrogate {
 /// **Validity** A rectified output is never negative, which fits amplitudes and counts; a network whose output unit is
 /// off for every input is dead (no gradient reaches its weights) and cannot recover.
 struct Network {
-  std::vector<int> layers{3, 4, 6, 3, 1};  ///< n[0], n[1], ..., n[K]
-  OutputActivation output = OutputActivation::rectified;
+  std::vector<int> layers{3, 4, 6, 3, 1};                 ///< n[0], n[1], ..., n[K]
+  OutputActivation output = OutputActivation::rectified;  ///< of the last layer
   /// For k = 1..K: W[k] row by row (n[k] x n[k-1]), then b[k] (n[k]).
   std::vector<double> parameters;
 };

@@ -18,7 +18,7 @@ using Outputs = std::array<double, output_count>;  ///< in the order of `output_
 /// One cut, or the mean over the cuts of a case, in the units of the file, in the order of `input_names` and
 /// `output_names`.
 struct TrainingRow {
-  int case_number = 0;
+  int case_number = 0;                       ///< one speed, depth and rake
   long long seed = 0;                        ///< of the rock; 0 when the file has no seeds
   std::array<double, input_count> inputs{};  ///< [m/s], [mm], [deg]
   double cut_length = 0.0;                   ///< [m]
@@ -29,10 +29,10 @@ struct TrainingRow {
 };
 
 struct TrainingData {
-  std::string file;         ///< name without folder
-  std::string fingerprint;  ///< `base::fingerprint_text` of the file's bytes
-  bool has_seeds = false;   ///< the file has a seed column
-  std::vector<TrainingRow> rows;
+  std::string file;               ///< name without folder
+  std::string fingerprint;        ///< `base::fingerprint_text` of the file's bytes
+  bool has_seeds = false;         ///< the file has a seed column
+  std::vector<TrainingRow> rows;  ///< of all tables
   std::vector<DataPart> parts{};  ///< when it was several files
 };
 

@@ -18,13 +18,15 @@ struct LearningRows {
   std::vector<double> targets;  ///< (R)
   std::vector<double> weights;  ///< (R), or empty: all 1
 
+  /// Number of rows.
   int count() const { return static_cast<int>(targets.size()); }
+  /// All rows as one batch.
   Batch all() const { return {count(), inputs, targets, weights}; }
 };
 
 /// Validation may be empty: then the last epoch is the best, and the error of a start is that of the training rows.
 struct LearningTask {
-  LearningRows train, validation, test;
+  LearningRows train, validation, test;  ///< by what they are for
 };
 
 /// A random start is dead when the network gives the same for every training row although rows differ in input and

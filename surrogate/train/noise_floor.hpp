@@ -58,6 +58,7 @@ double effective_degrees(std::span<const double> variances, std::span<const doub
 /// Value that an F-distributed number with these degrees of freedom, both above 0, stays below with this probability.
 double f_quantile(double probability, double numerator_degrees, double denominator_degrees);
 
+/// What can be said of a network.
 enum class Verdict { no_scatter_known, too_noisy, at_noise_floor, above_in_places, above_noise_floor };
 
 /// What the verdict rests on: the cases compared, and the variances of the law.
@@ -74,17 +75,18 @@ struct NoiseEvidence {
 
 /// Absent where it cannot be said.
 struct NoiseVerdict {
-  Verdict verdict = Verdict::no_scatter_known;
-  std::optional<double> ratio;        ///< k [1]
-  std::optional<double> ratio_low;    ///< [1] lower end of the 95 % interval of k
-  std::optional<double> ratio_high;   ///< [1] upper end
-  int cases_above = 0;                ///< whose residuals are larger than t
-  std::optional<double> model_error;  ///< sqrt(max(0, rmse^2 - s^2)), in the unit of rmse
+  Verdict verdict = Verdict::no_scatter_known;  ///< in one word
+  std::optional<double> ratio;                  ///< k [1]
+  std::optional<double> ratio_low;              ///< [1] lower end of the 95 % interval of k
+  std::optional<double> ratio_high;             ///< [1] upper end
+  int cases_above = 0;                          ///< whose residuals are larger than t
+  std::optional<double> model_error;            ///< sqrt(max(0, rmse^2 - s^2)), in the unit of rmse
 };
 
 /// Networks are called at the noise floor only when one so many times as far off would have been seen.
 inline constexpr double ratio_to_be_seen = 2.0;
 
+/// By the equations above.
 NoiseVerdict judge(const NoiseEvidence& evidence);
 
 }  // namespace bitrock::surrogate

@@ -25,15 +25,15 @@ inline bool is_held_out(CaseRole role) {
 
 /// One case of one output, in the output's unit (counts per metre of cut).
 struct ParityPoint {
-  int case_number = 0;
-  CaseRole role = CaseRole::unseen;
+  int case_number = 0;                       ///< one speed, depth and rake
+  CaseRole role = CaseRole::unseen;          ///< what it was to the training
   std::array<double, input_count> inputs{};  ///< in the units of `input_names`
   int cuts = 0;                              ///< averaged
   double dem_mean = 0.0;                     ///< mean over these cuts
   double dem_standard_error = 0.0;           ///< of that mean, as seen; 0 when not known
   bool standard_error_known = false;         ///< two cuts or more
-  double noise = 0.0;  ///< s_i, its standard error by the law of scatter, at the DEM mean; 0 when not known
-  double prediction = 0.0;
+  double noise = 0.0;              ///< s_i, its standard error by the law of scatter, at the DEM mean; 0 when not known
+  double prediction = 0.0;         ///< of the network
   std::optional<double> residual;  ///< r_i of `noise_floor.hpp` [1]
 };
 
@@ -47,7 +47,7 @@ struct NoiseAlone {
 /// Deviation d = prediction - DEM mean, over the cases of one role. What cannot be said (no cases, a DEM mean of zero
 /// everywhere, one seed, no spread) is absent, never zero or not-a-number.
 struct ParitySummary {
-  int cases = 0;
+  int cases = 0;                             ///< in all
   int zero_cases = 0;                        ///< DEM mean 0: left out of the deviations relative to it
   std::optional<double> mean_deviation;      ///< [1] mean |d| / DEM mean
   std::optional<double> max_deviation;       ///< [1] max |d| / DEM mean
@@ -63,12 +63,13 @@ struct ParitySummary {
   std::optional<double> rmse_over_noise;     ///< [1]
 };
 
+/// One network against the data.
 struct OutputParity {
-  std::string name;  ///< as in `output_names`
-  std::string unit;
-  std::vector<ParityPoint> points;  ///< in the order of the data
-  ParitySummary all, train, validation, held_out;
-  NoiseVerdict judged;  ///< on held-out cases, or on all when there are none
+  std::string name;                                ///< as in `output_names`
+  std::string unit;                                ///< of the output
+  std::vector<ParityPoint> points;                 ///< in the order of the data
+  ParitySummary all, train, validation, held_out;  ///< over the cases of each role
+  NoiseVerdict judged;                             ///< on held-out cases, or on all when there are none
 };
 
 struct Parity {
@@ -77,7 +78,7 @@ struct Parity {
   bool has_held_out = false;       ///< verdicts rest on held-out cases
   int law_degrees = 0;             ///< cuts beyond the first of every case: what the law of scatter was found from
   int outside_training_range = 0;  ///< held-out cases where the networks extrapolate
-  std::array<OutputParity, output_count> outputs;
+  std::array<OutputParity, output_count> outputs;  ///< in the order of `output_names`
 };
 
 /// How the cases of the data are told from those of the training.

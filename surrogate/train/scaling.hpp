@@ -28,6 +28,7 @@ OutputModel output_scaling(std::span<const TrainingRow> train_rows, std::size_t 
 /// For a warm start: names and scaling of `kept`, range widened to hold `seen` too.
 Variable with_wider_range(Variable kept, const Variable& seen);
 
+/// Of a value in the unit of the variable.
 inline double scaled(const Variable& variable, double value) {
   return (value - variable.offset) / variable.scale;
 }

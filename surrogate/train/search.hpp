@@ -24,10 +24,10 @@ namespace bitrock::surrogate {
 
 /// One kind of network, or a formula.
 struct Candidate {
-  std::string name;
-  std::vector<int> layers;  ///< empty: the formula of `baseline.hpp`
-  OutputActivation output = OutputActivation::rectified;
-  bool log_targets = false;
+  std::string name;                                       ///< for people
+  std::vector<int> layers;                                ///< empty: the formula of `baseline.hpp`
+  OutputActivation output = OutputActivation::rectified;  ///< of the last layer
+  bool log_targets = false;                               ///< learns logarithms
 };
 
 /// Networks of this kind are trained with the options.
@@ -37,7 +37,7 @@ void take_kind(const Candidate& candidate, TrainOptions& options);
 std::vector<Candidate> usual_candidates();
 
 struct CandidateResult {
-  Candidate candidate;
+  Candidate candidate;                        ///< that was measured
   std::array<double, output_count> errors{};  ///< error_o [1]
   double error = 0.0;                         ///< [1]
   double gain = 0.0;                          ///< against the first candidate [1]; positive is better
@@ -45,11 +45,11 @@ struct CandidateResult {
 };
 
 struct Search {
-  int folds = 0;
+  int folds = 0;                         ///< parts of the data
   int cases = 0;                         ///< that were predicted unseen
   std::vector<CandidateResult> results;  ///< in the order of the candidates
-  std::size_t chosen = 0;
-  std::string choice;  ///< one sentence: what was compared, what was taken and why
+  std::size_t chosen = 0;                ///< its place in the results
+  std::string choice;                    ///< one sentence: what was compared, what was taken and why
 };
 
 /// Gains of so many standard errors and more count as better. With eight candidates, chance alone gives the best of

@@ -18,8 +18,8 @@
 namespace bitrock::surrogate {
 
 struct TrainOptions {
-  std::vector<int> layers{3, 4, 6, 3, 1};  ///< of every network; first 3, last 1
-  OutputActivation output = OutputActivation::rectified;
+  std::vector<int> layers{3, 4, 6, 3, 1};                 ///< of every network; first 3, last 1
+  OutputActivation output = OutputActivation::rectified;  ///< of the last layer
   bool log_targets = false;                   ///< the networks learn ln(1 + y / y_0), y_0 the smallest positive y seen
   int epochs = 50;                            ///< passes through the training rows, at most
   int batch = 4;                              ///< rows a step; the last batch of an epoch may be smaller

@@ -137,6 +137,26 @@ TEST(ReportDrill, ACampaignFolderShowsItsDrillRunsAndNetworksThatHaveNotSeenItsC
     EXPECT_TRUE(holds(page, words)) << words;
 }
 
+TEST(ReportDrill, AFolderIsReportedWhateverOneThingItHolds) {
+  const Runs runs;
+  const std::filesystem::path drilled = runs.folder / "drilled", earlier = runs.folder / "earlier",
+                              empty = runs.folder / "empty";
+  for (const std::filesystem::path& folder : {drilled / "drill", earlier, empty})
+    std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(runs.noise, drilled / "drill/noise.h5");
+  std::filesystem::copy_file(BITROCK_SOURCE_DIR "/campaigns/paper240/model.json", earlier / "earlier_model.json");
+  for (const auto& [folder, words] :
+       {std::pair{drilled, "The drill string: summary"}, {earlier, "Learning of the earlier networks"}}) {
+    const auto outcome = run("report " + folder.string() + " -o " + runs.page);
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_TRUE(holds(base::read_whole(runs.page), words)) << words;
+  }
+  const auto refused = run("report " + empty.string() + " -o " + runs.page);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(holds(refused.text, "holds nothing to report (looked for runs/*.h5, model.json, earlier_model.json"))
+      << refused.text;
+}
+
 TEST(ReportDrill, FiguresAreFilesWithScriptAndTable) {
   const Runs runs;
   const bool can_draw = base::is_installed("gnuplot");

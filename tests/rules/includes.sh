@@ -17,6 +17,7 @@ dem2d/lab           base dem2d/contact dem2d/specimen dem2d/step dem2d/tool
 dem2d/specimen      base dem2d/contact dem2d/step dem2d/tool
 dem2d/step          base dem2d/contact dem2d/tool
 dem2d/tool          base
+docs/reference      base cli dem2d runtime studies
 peaks               base
 python              base peaks dem2d surrogate report runtime studies views
 report              base

@@ -39,6 +39,21 @@ nlohmann::json as_json(const runtime::DrillSummary& s) {
           {"windows", as_json(s.draws)}};
 }
 
+nlohmann::json as_json(const std::optional<runtime::ClosedForms>& forms) {
+  if (!forms)
+    return {{"axial_continuous_Hz", nullptr}, {"torsional_continuous_Hz", nullptr}, {"equal_lumps_Hz", nullptr}};
+  return {{"axial_continuous_Hz", forms->axial_continuous},
+          {"torsional_continuous_Hz", forms->torsional_continuous},
+          {"equal_lumps_Hz", forms->equal_lumps}};
+}
+
+nlohmann::json as_json(const std::optional<runtime::Steadiness>& steady) {
+  if (!steady) return nullptr;
+  return {{"equivalent_damping_N_m_s_per_rad", steady->damping},
+          {"friction_demand_N_m_s_per_rad", steady->demand},
+          {"stable", steady->demand < steady->damping}};
+}
+
 nlohmann::json as_json(const studies::ComparedRuns& runs) {
   nlohmann::json sources;
   for (std::size_t k = 0; k < runs.size(); ++k) {

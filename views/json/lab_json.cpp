@@ -47,9 +47,18 @@ nlohmann::json rate_json(const studies::LabResults& results) {
 
 }  // namespace
 
-nlohmann::json runs_json(const studies::LabResults& results) {
-  nlohmann::json json{
-      {"runs", nlohmann::json::array()}, {"failures", nlohmann::json::array()}, {"not_tested", results.not_tested}};
+nlohmann::json as_json(const studies::LabSeries& series, const studies::LabResults& results) {
+  nlohmann::json json{{"test", dem2d::name_of(series.test)},
+                      {"rock", series.rock.name},
+                      {"width_m", series.settings.width},
+                      {"height_m", dem2d::specimen_box(series.test, series.settings).height},
+                      {"strain_rate_per_s", series.settings.strain_rate},
+                      {"local_damping", series.settings.local_damping},
+                      {"platen_friction", series.settings.platen_friction},
+                      {"config_toml", studies::rock_text(series)},
+                      {"runs", nlohmann::json::array()},
+                      {"failures", nlohmann::json::array()},
+                      {"not_tested", results.not_tested}};
   for (const dem2d::LabRun& run : results.runs) json["runs"].push_back(as_json(run));
   for (const auto& [seed, reason] : results.failures) json["failures"].push_back({{"seed", seed}, {"reason", reason}});
   if (results.runs.empty()) return json;

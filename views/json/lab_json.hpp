@@ -7,7 +7,7 @@
 
 namespace bitrock::views {
 
-/// `runs`, `failures`, `not_tested`; when there are runs also `mean`, `sd` and `rate_check`.
-nlohmann::json runs_json(const studies::LabResults& results);
+/// What was tested; `runs`, `failures`, `not_tested`; when there are runs also `mean`, `sd` and `rate_check`.
+nlohmann::json as_json(const studies::LabSeries& series, const studies::LabResults& results);
 
 }  // namespace bitrock::views

@@ -1,13 +1,16 @@
 // The pages of docs/reference that list what the program reads and writes, from the lists that it reads and writes by:
 //   reference_pages keys | flags       a page, to standard output
-//   reference_pages arrays FILE.h5     the arrays and attributes of a file, a line each
+//   reference_pages arrays FILE.h5     the arrays of a file with unit and meaning, and its attributes, as JSON
 // docs/reference/renew.py calls it.
 #include <fmt/format.h>
+#include <hdf5.h>
 
 #include <string_view>
 
 #include "base/config_rows.hpp"
+#include "base/errors.hpp"
 #include "base/files.hpp"
+#include "base/hdf5_file.hpp"
 #include "base/hdf5_image.hpp"
 #include "cli/command.hpp"
 #include "cli/program.hpp"
@@ -109,11 +112,27 @@ int print_all_flags() {
   return 0;
 }
 
+/// What an array says of itself (`base::Hdf5Writer::array`).
+std::string text_of(hid_t array, const char* name) {
+  const base::Hdf5Handle attribute(H5Aopen(array, name, H5P_DEFAULT), H5Aclose);
+  const base::Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  std::string text(H5Tget_size(type.id()), '\0');
+  if (H5Aread(attribute.id(), type.id(), text.data()) < 0) throw base::InputError(std::string("no text ") + name);
+  return text.substr(0, text.find('\0'));
+}
+
 void print_arrays(const std::string& path) {
   const std::string bytes = base::read_whole(path);
   const base::Hdf5Image image = base::hdf5_image(bytes, path);
-  for (const auto& [name, array] : image.arrays) fmt::print("array {}\n", name);
-  for (const auto& [name, attribute] : image.attributes) fmt::print("attribute {}\n", name);
+  const base::Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  nlohmann::json found{{"arrays", nlohmann::json::array()}, {"attributes", nlohmann::json::array()}};
+  for (const auto& [name, array] : image.arrays) {
+    const base::Hdf5Handle data(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    found["arrays"].push_back(
+        {{"name", name}, {"unit", text_of(data.id(), "units")}, {"meaning", text_of(data.id(), "long_name")}});
+  }
+  for (const auto& [name, attribute] : image.attributes) found["attributes"].push_back(name);
+  fmt::print("{}\n", found.dump());
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+#include "views/json/cut_json.hpp"
+
+namespace bitrock::views {
+
+nlohmann::json as_json(const peaks::PeakStatistics& s) {
+  return {{"amax", s.amax}, {"amean", s.amean}, {"np1", s.np1}, {"np23", s.np23}, {"np4", s.np4}};
+}
+
+nlohmann::json as_json(const dem2d::CutRun& run) {
+  return {{"discs", run.discs},
+          {"joints", run.joints},
+          {"step_s", run.step},
+          {"steps", run.steps},
+          {"cut_length_m", run.cut_length},
+          {"duration_s", run.duration},
+          {"mean_force_x_N_per_m", run.mean_force_x},
+          {"mean_force_y_N_per_m", run.mean_force_y},
+          {"specific_energy_Pa", run.specific_energy},
+          {"cracks_tensile", run.cracks_tensile},
+          {"cracks_shear", run.cracks_shear},
+          {"removed_discs", run.removed_discs},
+          {"energy_residual_fraction",
+           run.energies.empty() ? nlohmann::json() : nlohmann::json(run.energy_residual_fraction)},
+          {"energy_injected_fraction",
+           run.energies.empty() ? nlohmann::json() : nlohmann::json(run.energy_injected_fraction)},
+          {"wall_s", run.wall_time},
+          {"ns_per_disc_step", run.nanoseconds_per_disc_step},
+          {"features",
+           {{"x", as_json(peaks::peak_statistics(run.force_x))}, {"y", as_json(peaks::peak_statistics(run.force_y))}}}};
+}
+
+}  // namespace bitrock::views

@@ -1,0 +1,42 @@
+#include "views/text/cut_lines.hpp"
+
+#include <fmt/format.h>
+
+#include "peaks/statistics.hpp"
+
+namespace bitrock::views {
+
+namespace {
+
+std::string energy_line(const dem2d::CutRun& run) {
+  if (run.energies.empty()) return "";
+  const dem2d::Energies& e = run.energies.back();
+  const double percent = e.boundary_work != 0.0 ? 100.0 / e.boundary_work : 0.0;
+  return fmt::format(
+      "work of the cutter {:.4g} J/m: {:.1f} % friction, {:.1f} % local damping, {:.1f} % dashpots, {:.1f} % breaking, "
+      "{:.2f} % switching, {:.1f} % in springs, {:.1f} % in motion, {:.1f} % gone with lost discs; {:.2g} % not "
+      "found, {:.2g} % injected\n",
+      e.boundary_work, percent * e.friction, percent * e.local_damping, percent * e.dashpots, percent * e.breaking,
+      percent * e.switching, percent * (e.strain_joints + e.strain_contacts + e.strain_boundaries), percent * e.kinetic,
+      percent * e.removed, 100.0 * run.energy_residual_fraction, 100.0 * run.energy_injected_fraction);
+}
+
+std::string peaks_line(const char* axis, const std::vector<double>& force) {
+  const peaks::PeakStatistics s = peaks::peak_statistics(force);
+  return fmt::format("{}: A_max {:.4g} kN/m, A_mean {:.4g} kN/m, peaks {} + {} + {}\n", axis, s.amax * 1e-3,
+                     s.amean * 1e-3, s.np1, s.np23, s.np4);
+}
+
+}  // namespace
+
+std::string cut_lines(const dem2d::CutRun& run) {
+  return fmt::format(
+             "{} discs, {} joints, {} steps of {:.3g} s, {:.1f} s on the clock ({:.0f} ns per disc and step)\n"
+             "mean force x {:.4g}, y {:.4g} kN/m; specific energy {:.3g} MPa; cracks {} in tension, {} in shear\n",
+             run.discs, run.joints, run.steps, run.step, run.wall_time, run.nanoseconds_per_disc_step,
+             run.mean_force_x * 1e-3, run.mean_force_y * 1e-3, run.specific_energy * 1e-6, run.cracks_tensile,
+             run.cracks_shear) +
+         energy_line(run) + peaks_line("x", run.force_x) + peaks_line("y", run.force_y);
+}
+
+}  // namespace bitrock::views

@@ -1,0 +1,55 @@
+#include "views/text/lab_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/statistics.hpp"
+
+namespace bitrock::views {
+
+namespace {
+
+constexpr const char* row_format = "{:>6} {:>13} {:>8} {:>7} {:>15} {:>11}  {}\n";
+
+std::string cell(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
+
+std::string row(const std::string& name, double strength, double modulus, double ratio, double initiation,
+                double strain, const std::string& rest) {
+  return fmt::format(row_format, name, cell(strength * 1e-6, 2), cell(modulus * 1e-9, 3), cell(ratio, 3),
+                     cell(initiation * 1e-6, 2), cell(strain * 1e2, 3), rest);
+}
+
+}  // namespace
+
+std::string lab_table(const studies::LabResults& results) {
+  if (results.runs.empty()) return "";
+  std::string table = fmt::format(row_format, "seed", "strength MPa", "E GPa", "nu", "cracks from MPa", "at strain %",
+                                  "cracks tension + shear");
+  for (const dem2d::LabRun& run : results.runs) {
+    table += row(fmt::format("{}", run.seed), run.peak_stress, run.youngs_modulus, run.poissons_ratio,
+                 run.crack_initiation_stress, run.strain_at_peak,
+                 fmt::format("{} + {}", run.cracks_tensile, run.cracks_shear));
+  }
+  if (results.runs.size() == 1) return table;
+  std::vector<base::Summary> s;
+  for (const studies::LabQuantity& quantity : studies::lab_quantities())
+    s.push_back(studies::summary_of(quantity, results.runs));
+  return table +
+         row("mean", s[0].mean, s[1].mean, s[2].mean, s[3].mean, s[4].mean,
+             fmt::format("{:.0f} + {:.0f}", s[5].mean, s[6].mean)) +
+         row("sd", s[0].standard_deviation, s[1].standard_deviation, s[2].standard_deviation, s[3].standard_deviation,
+             s[4].standard_deviation, "");
+}
+
+std::string rate_check_line(double strain_rate, const studies::LabResults& results) {
+  const studies::RateCheck check = studies::rate_check_of(results);
+  return fmt::format("mean strength at {:.3g} /s {:.4g} MPa, at half of it {:.4g} MPa: {:+.1f} % ({} {:.0f} %)\n",
+                     strain_rate, check.mean_strength * 1e-6, check.mean_at_half_rate * 1e-6, check.change * 1e2,
+                     check.slow_enough ? "slow enough: less than" : "too fast: not less than",
+                     studies::allowed_rate_change * 1e2);
+}
+
+}  // namespace bitrock::views

@@ -1,0 +1,34 @@
+#include "views/text/parity_table.hpp"
+
+#include <fmt/format.h>
+
+#include "views/networks/figures.hpp"
+
+namespace bitrock::views {
+
+std::string parity_table(const surrogate::Parity& parity) {
+  const surrogate::OutputParity& first = parity.outputs.front();
+  std::string table =
+      parity.has_held_out
+          ? fmt::format(
+                "{} cases held out of {}: deviations of the network from the DEM, beside what noise alone gives\n",
+                first.held_out.cases, first.all.cases)
+          : fmt::format("no case was held out: all {} cases, learnt from, so the network may follow their noise\n",
+                        first.all.cases);
+  constexpr const char* line = "{:<9} {:<5} {:>8} {:>8} {:>7}  {:>8} {:>7}  {:>8} {:>8}   {}\n";
+  table += fmt::format(line, "output", "unit", "DEM s.e.", "RMSE", "x s.e.", "mean dev", "(noise)", "max dev",
+                       "(noise)", "verdict");
+  for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
+    const surrogate::OutputParity& output = parity.outputs[k];
+    const surrogate::ParitySummary& seen = parity.has_held_out ? output.held_out : output.all;
+    const auto [name, unit, factor] = shown(output, k);
+    const auto& noise = seen.noise_alone;
+    table += fmt::format(line, name, unit, number(seen.noise, factor), number(seen.rmse, factor),
+                         number(seen.rmse_over_noise), percent(seen.mean_deviation),
+                         percent(noise ? std::optional(noise->mean) : std::nullopt), percent(seen.max_deviation),
+                         percent(noise ? std::optional(noise->max) : std::nullopt), verdict_text(output.judged));
+  }
+  return table;
+}
+
+}  // namespace bitrock::views
