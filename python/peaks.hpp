@@ -1,7 +1,8 @@
 #pragma once
 #include <pybind11/pybind11.h>
 
-#include "peaks/statistics.hpp"
+#include "peaks/definition.hpp"
+#include "peaks/moments.hpp"
 
 namespace bitrock::python {
 

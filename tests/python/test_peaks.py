@@ -65,3 +65,33 @@ def test_only_one_dimension(force):
 def test_only_real_numbers(force):
     with pytest.raises(bitrock.InputError, match=r"force: values of type .* \(must be real numbers\)"):
         peaks.statistics(force)
+
+
+def test_prominence_and_distance_are_those_of_scipy():
+    signal = pytest.importorskip("scipy.signal")
+    random = np.random.default_rng(4)
+    force = np.maximum(0.0, np.cumsum(random.normal(size=3000)) % 7.0 + random.normal(size=3000))
+    for share in (0.02, 0.1, 0.3):
+        found, _ = signal.find_peaks(force, height=np.nextafter(0.01 * force.max(), 9), prominence=share * force.max())
+        assert list(peaks.counted(force, min_prominence=share)) == list(found)
+    for distance in (2, 5, 17):
+        found, _ = signal.find_peaks(force, height=np.nextafter(0.01 * force.max(), 9), distance=distance + 1)
+        assert list(peaks.counted(force, min_distance=distance)) == list(found)
+
+
+def test_smoothing_of_the_samples_own_width_is_a_mean_over_three():
+    force = np.array([0.0, 0, 0, 0, 12, 0, 0, 0, 0])
+    assert peaks.statistics(force).amax == 12.0
+    assert 0.5 < peaks.statistics(force, smoothing=2.0).amax < 6.0
+    with pytest.raises(bitrock.InputError, match="min_prominence"):
+        peaks.statistics(force, min_prominence=1.5)
+
+
+def test_moments_of_a_wave():
+    force = 3.0 + 2.0 * np.sin(2 * np.pi * np.arange(100_000) / 1000)
+    seen = peaks.moments(force, spacing=1e-6)
+    assert seen["mean"] == pytest.approx(3.0)
+    assert seen["sd"] == pytest.approx(np.sqrt(2.0))
+    assert seen["correlation_length"] == pytest.approx(1e-3 * np.arccos(np.exp(-1)) / (2 * np.pi), rel=1e-2)
+    assert seen["short_correlation_length"] == pytest.approx(1e-3 * np.arccos(0.75) / (2 * np.pi), rel=1e-2)
+    assert seen["low_share"] == 0.0
