@@ -31,6 +31,11 @@ foreach(name ${components})
   install(FILES ${PROJECT_BINARY_DIR}/package/bitrock-${name}.cmake DESTINATION ${package_dir})
 endforeach()
 
+# For those who compile in C by one line.
+file(RELATIVE_PATH way_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(cmake/bitrock_runtime.pc.in ${PROJECT_BINARY_DIR}/package/bitrock_runtime.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/bitrock_runtime.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
 # Target of `./run install`; and what `cmake --install` looks at first (the root CMakeLists.txt), to say in words what is
 # not built yet.
 add_custom_target(bitrock_installed DEPENDS ${parts})
