@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 
 #include "base/csv_rows.hpp"
@@ -18,14 +19,29 @@ bool CsvTable::has(const std::string& name) const {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+void CsvTable::require(const std::vector<std::string>& needed) const {
+  std::vector<std::string> free;  // what is needed under its own name is no other name of something that is missing
+  std::copy_if(names.begin(), names.end(), std::back_inserter(free), [&needed](const std::string& name) {
+    return std::find(needed.begin(), needed.end(), name) == needed.end();
+  });
+  std::string missing;
+  std::size_t count = 0;
+  for (const std::string& name : needed) {
+    if (has(name)) continue;
+    const std::string nearest = nearest_name(name, free);
+    if (count++ > 0) missing += ", ";
+    missing += csv_cell(name) + (nearest.empty() ? "" : " (is it " + csv_cell(nearest) + "?)");
+  }
+  if (count == 0) return;
+  const std::string there = names.empty() ? "no column of numbers" : listed(names);
+  const char* what = needed.size() == 1 ? "no column" : count == 1 ? "a column is missing:" : "columns are missing:";
+  const std::string all = count == needed.size() ? "" : "; needed are: " + listed(needed);
+  throw InputError(fmt::format("{}: {} {}{}; the file has: {}", source, what, missing, all, there));
+}
+
 const std::vector<double>& CsvTable::column(const std::string& name) const {
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    const std::string nearest = nearest_name(name, names);
-    throw InputError(
-        fmt::format("{}: column {} is missing ({})", source, name,
-                    nearest.empty() ? "the file has: " + listed(names) : "the nearest one there is " + nearest));
-  }
+  if (found == names.end()) require({name});
   const auto place = static_cast<std::size_t>(found - names.begin());
   if (!problems[place].empty()) throw InputError(problems[place]);
   return columns[place];
@@ -43,9 +59,12 @@ struct Column {
 /// What is no header of a comma-separated table, though it would pass for one.
 void refuse_header(const std::vector<CsvCell>& cells, const CsvRows& rows, const std::string& where) {
   for (const CsvCell& cell : cells) {
-    if (!cell.quoted && cell.text.find_first_of(";\t") != std::string_view::npos) {
-      throw InputError(fmt::format("{}: '{}' in the header (columns are separated by commas; numbers have a point)",
-                                   where, cell.text));
+    const std::size_t other = cell.quoted ? std::string_view::npos : cell.text.find_first_of(";\t");
+    if (other != std::string_view::npos) {
+      throw InputError(
+          fmt::format("{}: {} between the columns: '{}' (columns must be separated by commas, and numbers "
+                      "have a point; out of Excel: docs/guide/my_data_into_the_networks.md)",
+                      where, cell.text[other] == ';' ? "semicolons" : "tabs", cell.text));
     }
     if (number_in(cell.text)) {
       const char* hidden = rows.skipped_comment() ? "; a line that begins with # is a comment" : "";

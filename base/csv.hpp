@@ -26,8 +26,11 @@ struct CsvTable {
   std::size_t rows() const { return lines.size(); }
   /// Whether there is a column of that name.
   bool has(const std::string& name) const;
-  /// The column of that name; throws `InputError` naming the nearest existing one when it is missing, and the place of
-  /// the first cell that is no number, or that the name stands twice.
+  /// Throws `InputError` that names all of these that are missing, each with the nearest column that is not needed
+  /// under its own name, and the columns that there are.
+  void require(const std::vector<std::string>& needed) const;
+  /// The column of that name, which is required; throws `InputError` with the place of the first cell that is no
+  /// number, or that the name stands twice.
   const std::vector<double>& column(const std::string& name) const;
 };
 

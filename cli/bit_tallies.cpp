@@ -8,6 +8,14 @@ namespace {
 
 constexpr double seldom_share = 0.1;  // of the questions: the cutter nearest to the axis, or a start and a stop
 
+void tell(const CommonOptions& options, const std::string& text, std::int64_t count, std::int64_t all) {
+  if (static_cast<double>(count) < seldom_share * static_cast<double>(all)) {
+    say(options, "{}\n", text);
+  } else {
+    warn(options, text);
+  }
+}
+
 }  // namespace
 
 void warn_of_bit(const CommonOptions& options, const runtime::Bit& bit, const surrogate::Model& model) {
@@ -27,11 +35,24 @@ void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps
       clamps.asked, percent(clamps.speed_below), percent(clamps.speed_above), percent(clamps.depth_below),
       percent(clamps.depth_above), percent(clamps.rake_below), percent(clamps.rake_above), asked.empty() ? "" : "; ",
       asked);
-  const bool seldom = static_cast<double>(clamps.clamped()) < seldom_share * static_cast<double>(clamps.asked);
-  if (seldom) {
-    say(options, "{}\n", text);
-  } else {
-    warn(options, text);
+  tell(options, text, clamps.clamped(), clamps.asked);
+}
+
+void tell_draws(const CommonOptions& options, const runtime::DrawTally& draws) {
+  if (draws.mean_missed > 0) {
+    tell(options,
+         fmt::format("of {} windows, {} cannot have the mean peak that the networks say, so the mean force is another: "
+                     "their counts and heights of peaks do not fit together (take all five numbers from the same "
+                     "records, by `bitrock peaks`; A_mean is the mean height of the peaks, not the mean force)",
+                     draws.drawn, draws.mean_missed),
+         draws.mean_missed, draws.drawn);
+  }
+  if (draws.narrowed > 0) {
+    tell(options,
+         fmt::format("of {} windows, {} hold so few peaks that these do not fill them, so the mean force is too small "
+                     "(widen window_angle_deg in the bit file; were the peaks counted?)",
+                     draws.drawn, draws.narrowed),
+         draws.narrowed, draws.drawn);
   }
 }
 

@@ -15,4 +15,8 @@ void warn_of_bit(const CommonOptions& options, const runtime::Bit& bit, const su
 /// `asked` says by how much (`runtime::asked_outside`), and at which motion; it may be empty.
 void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps, const std::string& asked);
 
+/// Windows that could not have what the networks say, and what to do: nothing, a line where they are few (less than a
+/// tenth), or else a warning.
+void tell_draws(const CommonOptions& options, const runtime::DrawTally& draws);
+
 }  // namespace bitrock::cli

@@ -61,8 +61,9 @@ void warn_about(const Options& options, const ForceHistory& history, const Force
                      history.column, found.mean, unit_of(history.column)));
   }
   if (history.time_column.empty() && !history.other_columns.empty()) {
-    warn(options.common, fmt::format("no column time_s: {} (name the times with --time; there are: {})", without_times,
-                                     base::listed(history.other_columns)));
+    warn(options.common,
+         fmt::format("no column time_s: {}; the five numbers are the same (name the times with --time; there are: {})",
+                     without_times, base::listed(history.other_columns)));
   }
   for (const auto& [what, count] : {std::pair{"not numbers", found.not_a_number}, {"infinite", found.infinite}}) {
     if (count == 0) continue;

@@ -34,7 +34,7 @@ void run(const Options& options) {
   const auto begin = std::chrono::steady_clock::now();
   runtime::Signal signal;
   {
-    Progress progress(options.common, "drilling", "s");
+    Progress progress(options.common, "drilling", "s", 1.0 / options.rate);
     signal = runtime::constant_speed_signal(bit, model, drive, progress.callback());
   }
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -42,19 +42,13 @@ void run(const Options& options) {
                     base::csv_text({"time_s", "angle_rad", "axial_force_N", "torque_N_m"},
                                    {signal.time_s, signal.angle_rad, signal.axial_force_N, signal.torque_N_m}));
   const runtime::SignalSummary& s = signal.summary;
-  const runtime::DrawTally& draws = s.draws;
   const double times_real_time = options.duration / wall;
   say(options.common, "{}: {:g} rpm, {:g} m/h, depth of cut {:.4g} mm per turn\n", bit.name, options.rpm,
       options.rop_m_per_h, s.depth_of_cut_m * 1e3);
   say(options.common, "axial force mean {:.4g} kN, max {:.4g} kN; torque mean {:.4g} N m, max {:.4g} N m\n",
       s.mean_force_N * 1e-3, s.max_force_N * 1e-3, s.mean_torque_N_m, s.max_torque_N_m);
   tell_clamps(options.common, s.clamps, runtime::asked_outside(bit, model, drive.rotation, drive.rate_of_penetration));
-  if (draws.mean_missed + draws.narrowed > 0) {
-    say(options.common,
-        "of {} windows, {} cannot have the mean peak the networks say, and {} hold so few peaks that these do not fill "
-        "them (a wider window_angle_deg helps)\n",
-        draws.drawn, draws.mean_missed, draws.narrowed);
-  }
+  tell_draws(options.common, s.draws);
   say(options.common, "{} samples, {:.0f} times real time -> {}\n", signal.time_s.size(), times_real_time,
       options.output);
   write_json(options.common, {{"bit", bit.name},
@@ -67,7 +61,7 @@ void run(const Options& options) {
                               {"max_torque_N_m", s.max_torque_N_m},
                               {"depth_of_cut_m", s.depth_of_cut_m},
                               {"clamped", views::as_json(s.clamps)},
-                              {"windows", views::as_json(draws)},
+                              {"windows", views::as_json(s.draws)},
                               {"samples", signal.time_s.size()},
                               {"times_real_time", times_real_time}});
 }

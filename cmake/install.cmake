@@ -4,6 +4,10 @@ include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/bitrock)
 install(TARGETS bitrock RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+set(parts bitrock)  # all that is compiled before it can be installed
+if(BITROCK_PYTHON)
+  list(APPEND parts bitrock_python)
+endif()
 
 # One file a component, so that nothing is asked for that nobody uses.
 get_property(components GLOBAL PROPERTY bitrock_components)
@@ -11,6 +15,7 @@ foreach(name ${components})
   get_property(target GLOBAL PROPERTY bitrock_target_of_${name})
   get_property(modules GLOBAL PROPERTY bitrock_modules_of_${name})
   get_property(packages GLOBAL PROPERTY bitrock_packages_of_${name})
+  list(APPEND parts ${target})
   install(TARGETS ${target} EXPORT bitrock_${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} FILE_SET HEADERS DESTINATION ${BITROCK_INCLUDE_DIR})
   install(EXPORT bitrock_${name} FILE bitrock-${name}-targets.cmake NAMESPACE bitrock:: DESTINATION ${package_dir})
@@ -25,6 +30,21 @@ foreach(name ${components})
   configure_file(cmake/component.cmake.in ${PROJECT_BINARY_DIR}/package/bitrock-${name}.cmake @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/package/bitrock-${name}.cmake DESTINATION ${package_dir})
 endforeach()
+
+# For those who compile in C by one line.
+file(RELATIVE_PATH way_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(cmake/bitrock_runtime.pc.in ${PROJECT_BINARY_DIR}/package/bitrock_runtime.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/bitrock_runtime.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# Target of `./run install`; and what `cmake --install` looks at first (the root CMakeLists.txt), to say in words what is
+# not built yet.
+add_custom_target(bitrock_installed DEPENDS ${parts})
+set(part_files "")
+foreach(part ${parts})
+  string(APPEND part_files "  \"$<TARGET_FILE:${part}>\"\n")
+endforeach()
+configure_file(cmake/whole.cmake.in ${PROJECT_BINARY_DIR}/package/whole.cmake.in @ONLY)
+file(GENERATE OUTPUT ${BITROCK_WHOLE} INPUT ${PROJECT_BINARY_DIR}/package/whole.cmake.in)
 
 # Files of a tree, each in the folder it stands in; install(DIRECTORY) would make every folder, also those that stay
 # empty. Looked up again in every build, so that a new file is not forgotten.

@@ -131,7 +131,7 @@ void bind_bit(py::module_& module) {
       .def_readonly("name", &Bit::name, "of the bit")
       .def_readonly("diameter_m", &Bit::diameter, "[m]")
       .def_property_readonly("radius_m", cutters(&Cutter::radius), "from the axis to the middle of each cutter [m]")
-      .def_property_readonly("width_m", cutters(&Cutter::width), "effective width of each cutter [m]")
+      .def_property_readonly("width_m", cutters(&Cutter::width), "width of the ring of rock that each cutter takes [m]")
       .def_property_readonly("back_rake_rad", cutters(&Cutter::back_rake), "of each cutter [rad]")
       .def("__len__", [](const Bit& self) { return self.cutters.size(); })
       .def("__repr__", [](const Bit& self) {

@@ -145,6 +145,7 @@ std::vector<std::string> discs_warnings(const Specimen& specimen) {
 Specimen specimen_from_discs(const std::filesystem::path& path, const Rock& rock, std::uint64_t seed,
                              const std::optional<BoxSize>& box) {
   const base::CsvTable table = base::read_csv(path);
+  table.require({"x_m", "y_m", "radius_m"});
   Specimen specimen{.rock = rock, .seed = seed};
   specimen.x = table.column("x_m");
   specimen.y = table.column("y_m");

@@ -36,10 +36,12 @@ base::Section describe_bit(Bit& bit, BitWords& words) {
 base::Section describe(Cutter& cutter, double bit_diameter) {
   const base::Range width = base::between(0.01, bit_diameter / mm);  // a cutter thinner than any grain cuts nothing
   const base::Range radius = base::between(0.01, 0.5 * bit_diameter / mm);
-  return {"cutter",
-          {{"radius_mm", &cutter.radius, mm, radius, "from the axis of the bit to the middle of the cutter", true},
-           {"width_mm", &cutter.width, mm, width, "effective width", true},
-           {"back_rake_deg", &cutter.back_rake, deg, base::between(0.0, 60.0), "back rake", true}}};
+  return {
+      "cutter",
+      {{"radius_mm", &cutter.radius, mm, radius,
+        "from the axis of the bit to the middle of the ring of rock that this cutter takes", true},
+       {"width_mm", &cutter.width, mm, width, "width of that ring; all rings together are the radius of the bit", true},
+       {"back_rake_deg", &cutter.back_rake, deg, base::between(0.0, 60.0), "back rake", true}}};
 }
 
 void take_words(const base::ConfigFile& file, const BitWords& words, SignalSettings& signal) {
@@ -88,9 +90,11 @@ std::vector<std::string> warnings(const Bit& bit) {
         "bit '{}': the widths of its {} cutters add up to {:.4g} mm, {:.3g} of its radius of {:.4g} mm: each cutter "
         "takes the whole depth of its ring, so {}",
         bit.name, bit.cutters.size(), width / mm, share, 0.5 * bit.diameter / mm,
-        share < 1.0 ? "rock is left standing and the force is too small"
-                    : "some rock is cut twice and the force is too "
-                      "large"));
+        share < 1.0 ? "rock is left standing and the force is too small (let the rings meet, their edges half-way "
+                      "between neighbouring cutters)"
+                    : "some rock is cut twice and the force is too large (width_mm is the width of the ring that a "
+                      "cutter takes alone, not that of its face: let the edges of the rings lie half-way between "
+                      "neighbouring cutters)"));
   }
   std::map<double, int> first_on;  // the cutter that is first on each circle
   std::string shared;
@@ -99,8 +103,10 @@ std::vector<std::string> warnings(const Bit& bit) {
     if (!is_new) shared += fmt::format("{}{} and {}", shared.empty() ? "" : ", ", first->second, cutter.number);
   }
   if (!shared.empty()) {
-    found.push_back(
-        fmt::format("bit '{}': cutters run on one circle, and each takes the whole depth there: {}", bit.name, shared));
+    found.push_back(fmt::format(
+        "bit '{}': cutters run on one circle, and each takes the whole depth there: {} (write the cutters of "
+        "a circle as one, with their mean back rake)",
+        bit.name, shared));
   }
   return found;
 }

@@ -14,8 +14,8 @@ namespace bitrock::runtime {
 
 struct Cutter {
   int number = 0;          ///< part of the address of its random draws; 1-based place in the file
-  double radius = 0.0;     ///< [m] of the circle its middle runs on
-  double width = 0.0;      ///< [m] effective width: turns force per metre into force
+  double radius = 0.0;     ///< [m] from the axis to the middle of the ring of rock that it takes
+  double width = 0.0;      ///< [m] of that ring: turns force per metre into force
   double back_rake = 0.0;  ///< [rad] tilt of its face against the normal of the rock, positive leaning back
 };
 

@@ -70,15 +70,18 @@ typedef enum {
 
 /* One cutter a track: each removes the whole advance of one turn on its own ring. */
 typedef struct {
-  double radius_m;      /* of the circle its middle runs on, above 0 */
-  double width_m;       /* effective, above 0; turns force per metre into force */
+  double radius_m;      /* from the axis to the middle of the ring of rock that it takes, above 0 */
+  double width_m;       /* of that ring, above 0; turns force per metre into force */
   double back_rake_rad; /* tilt of the face against the normal of the rock, positive leaning back */
   int64_t number; /* part of the address of its random draws, within 32 bits: different cutters, different numbers */
 } bitrock_cutter;
 
-enum { BITROCK_COMBINE_SUM = 0, BITROCK_COMBINE_MAX = 1 };         /* overlapping peaks: see signal/pulse_train.hpp */
-enum { BITROCK_FIT_BAND_PRESERVING = 0, BITROCK_FIT_ARTICLE = 1 }; /* heights: see signal/peak_amplitudes.hpp */
-enum { BITROCK_RECTIFIED = 0, BITROCK_SOFTPLUS = 1, BITROCK_LINEAR = 2 }; /* last layer: see surrogate/net */
+enum { BITROCK_COMBINE_SUM = 0, BITROCK_COMBINE_MAX = 1 }; /* where peaks overlap: they add up, or the higher */
+enum {
+  BITROCK_FIT_BAND_PRESERVING = 0,
+  BITROCK_FIT_ARTICLE = 1
+}; /* heights meet their mean in their bands, or scaled */
+enum { BITROCK_RECTIFIED = 0, BITROCK_SOFTPLUS = 1, BITROCK_LINEAR = 2 }; /* last layer: max(0, x), ln(1 + e^x), x */
 
 typedef struct {
   double window_angle_rad;   /* theta_T, above 0; pi / 3 is bitrock's default */
@@ -120,7 +123,12 @@ typedef struct {
   int64_t cutter_count;          /* 1 to 1000 */
 } bitrock_description;
 
-/* Of the rock on the bit; resistance to drilling is positive. */
+/* Of the rock on the bit; resistance to drilling is positive. Rotation and rate of penetration are what you give, force
+ * is what you get: the share of cutting alone, F_s and T_s of docs/theory/drillstring.md. What else is between bit and
+ * rock is yours to add: the spring of the rock under the bit, whose push W is the weight on bit, friction in proportion
+ * to it, and the law by which W and rotation give a rate of penetration. W + F_s is the whole push of the rock. F_s
+ * alone is far below a weight on bit and hardly grows with the depth of cut (docs/known_limits.md).
+ */
 typedef struct {
   double axial_force_N; /* pushes the bit off the rock */
   double torque_N_m;    /* resists its rotation */
@@ -130,8 +138,11 @@ typedef struct {
 typedef struct {
   int64_t asked; /* questions to the model: one for each cutter and window */
   int64_t speed_below, speed_above, depth_below, depth_above, rake_below, rake_above; /* moved to the training range */
-  int64_t drawn;                                    /* windows with at least one peak, for each cutter and direction */
-  int64_t mean_missed, band_left, narrowed, capped; /* see DrawTally in signal/cutter_force.hpp */
+  int64_t drawn;       /* windows with at least one peak, for each cutter and direction; of these: */
+  int64_t mean_missed; /* those whose mean peak is not that of the model: its counts and heights do not fit together */
+  int64_t band_left;   /* peaks outside their band (BITROCK_FIT_ARTICLE) */
+  int64_t narrowed;    /* those with so few peaks that they do not fill the window: widen it */
+  int64_t capped;      /* those for which the model asked for more peaks than a window can hold */
 } bitrock_tally;
 
 typedef struct bitrock_core bitrock_core;
@@ -156,7 +167,14 @@ BITROCK_API bitrock_status bitrock_core_reset(bitrock_core* core);
 /* Load on the bit at an angle it has turned forward while cutting, at this rotation and rate of penetration into the
  * rock. A rotation below 0.0628 rad/s, also a negative one, counts as 0.0628 rad/s when a window is drawn; a rate of
  * penetration of 1e-9 m/s or less, also a negative one, gives windows without peaks. While the rotation changes, see to
- * the angle: one that is wrong by 1 mrad gives another force at the same time (pulses are some mrad wide). */
+ * the angle: one that is wrong by 1 mrad gives another force at the same time (pulses are some mrad wide).
+ *
+ * At rest and turning back: let the angle grow only while the bit turns forward under weight, never fall. At a held
+ * angle the load is frozen at what it was. As it stands it would then turn a resting bit backwards, which no rock does:
+ * let it be the most that the torque can be, that of a stiff spring which the turning winds up, cut off at torque_N_m
+ * and at 0 (examples/fixed_step.c; the progression angle and the fracture spring of docs/theory/drillstring.md).
+ * At steady rates no averages are needed. Where the rates swing, hand in the averages: a window is drawn for the rates
+ * of one call. */
 BITROCK_API bitrock_status bitrock_core_update(bitrock_core* core, double angle_rad, double rotation_rad_per_s,
                                                double rate_of_penetration_m_per_s, bitrock_load* load);
 

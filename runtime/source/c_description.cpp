@@ -39,7 +39,7 @@ std::string head(const Bit& bit, const surrogate::Model& model) {
 
 std::string cutters(const bitrock_description& description) {
   std::string text =
-      "\n/* radius [m], effective width [m], back rake [rad], number */\n"
+      "\n/* of each ring of rock: radius of its middle [m], width [m]; back rake [rad], number */\n"
       "static const bitrock_cutter PREFIX_cutters[] = {\n";
   for (const bitrock_cutter& cutter :
        std::span(description.cutters, static_cast<std::size_t>(description.cutter_count)))

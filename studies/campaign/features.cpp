@@ -187,6 +187,9 @@ FeatureTable read_features(const std::filesystem::path& path) {
                     csv.source));
   }
   FeatureTable table{.rows = std::vector<FeatureRow>(csv.rows()), .lines = csv.lines};
+  std::vector<std::string> needed;
+  for (const Cell& cell : cells(table.rows.front())) needed.emplace_back(cell.name);
+  csv.require(needed);
   for (std::size_t i = 0; i < csv.rows(); ++i) {
     const std::string where = fmt::format("{}:{}", csv.source, csv.lines[i]);
     for (const Cell& cell : cells(table.rows[i])) {

@@ -121,6 +121,7 @@ void read_by_depth(base::ConfigFile& file, Study& study) {
 
 Table read_table(const std::filesystem::path& path) {
   const base::CsvTable csv = base::read_csv(path);
+  csv.require({"cutter_speed_m_per_s", "depth_of_cut_mm", "back_rake_deg"});
   const auto column = [&csv](const char* name, const base::Range& range, double unit) {
     std::vector<double> values = csv.column(name);
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -24,6 +24,15 @@ constexpr std::array<const char*, output_count> output_columns{
     "x_amax_N_per_m", "x_amean_N_per_m", "x_np1", "x_np23", "x_np4",
     "y_amax_N_per_m", "y_amean_N_per_m", "y_np1", "y_np23", "y_np4"};
 
+/// All at once, so that nobody learns of them one after the other.
+void require_columns(const base::CsvTable& table) {
+  std::vector<std::string> needed{"case"};
+  for (const VariableName& input : input_names) needed.emplace_back(input.name);
+  needed.emplace_back("cut_length_m");
+  needed.insert(needed.end(), output_columns.begin(), output_columns.begin() + 2 * statistics_count);
+  table.require(needed);
+}
+
 constexpr base::Range rake_range{.low = -90.0, .high = 90.0, .low_open = true, .high_open = true};
 
 // In the units of the columns: numbers of a rock, a rig or a model lie far inside, and squares of these are still
@@ -163,6 +172,7 @@ TrainingRow mean_of(const std::vector<const TrainingRow*>& rows) {
 
 TrainingData read_training_data(const std::filesystem::path& path) {
   const base::CsvTable table = base::read_csv(path, false, {"hash"});
+  require_columns(table);
   TrainingData data;
   data.file = path.filename().string();
   data.fingerprint = base::fingerprint_text(base::read_whole(path));

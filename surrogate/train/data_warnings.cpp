@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "surrogate/train/scaling.hpp"
+#include "surrogate/train/unit_slips.hpp"
 
 namespace bitrock::surrogate {
 
@@ -101,6 +102,7 @@ std::vector<std::string> warnings(const TrainingData& data) {
       broken_counts(data),
       fmt::format("{}: peak counts of single cuts that are no whole numbers: are they counts of one cut?", data.file),
       all);
+  for (std::string& slip : unit_slips(data)) all.push_back(std::move(slip));
   return all;
 }
 

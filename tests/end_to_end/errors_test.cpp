@@ -1,4 +1,5 @@
 // What a user does wrong, the exit status it gets and the words that explain it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/end_to_end/program.hpp"
@@ -63,6 +64,36 @@ TEST_F(Errors, RockAndCutFiles) {
   expect("cut " + changed(example, "rock = ", "rack = "), 2, "rock is missing");
 }
 
+/// Counts that nobody counted, beside mean forces: the table is doubted, and so is the force on a bit that follows.
+TEST_F(Errors, TablesThatAreNotWhatTheySeem) {
+  std::string rows =
+      "case,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,x_amax_N_per_m,x_amean_N_per_m,x_np1,x_"
+      "np23,"
+      "x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4\n";
+  for (int i = 1; i <= 8; ++i) {
+    rows += fmt::format("{},{},{},{},0.06,{},{},1,1,1,{},{},1,1,1\n", i, 0.5 * i, i % 2 + 1, 10 + i % 3 * 10, 900 + i,
+                        200 + i, 600 + i, 150 + i);
+  }
+  const std::string model = (dir / "model.json").string();
+  const auto trained = run("train " + file("guessed.csv", rows) + " -o " + model);
+  EXPECT_EQ(trained.status, 0) << trained.text;
+  for (const char* words : {"guessed.csv: x_amean_N_per_m over depth_of_cut_mm is ", "the peak counts of all rows"})
+    EXPECT_NE(trained.text.find(words), std::string::npos) << trained.text << "\nlacks: " << words;
+  expect("signal " + bit + " --model " + model + " --rpm 120 --rop-m-per-h 15 --duration-s 1 -o " +
+             (dir / "f.csv").string(),
+         0, "their counts and heights of peaks do not fit together (take all five numbers from the same records");
+}
+
+/// Seconds, not samples.
+TEST_F(Errors, ProgressOfASignalIsInSecondsOfIt) {
+  expect("signal " + bit +
+             " --model " BITROCK_SOURCE_DIR
+             "/campaigns/paper240/model.json --rpm 120 --rop-m-per-h 15 "
+             "--duration-s 200 -o " +
+             (dir / "f.csv").string(),
+         0, " of 200 s (");
+}
+
 TEST_F(Errors, PlacesThatCannotBeWritten) {
   expect("specimen " + rock + " -o /proc/no/such.h5", 2, "/proc/no");
   expect("cut " + example + " -o " + dir.path().string(), 2, "it is a folder");
@@ -79,7 +110,7 @@ TEST_F(Errors, ForceHistories) {
   expect("peaks " + file("back.csv", "time_s,force\n0,0\n2,2\n1,1\n"), 2, "time_s falls from 2 to 1 at sample 2");
   expect("peaks " + file("still.csv", "time_s,force\n1,0\n1,2\n1,1\n"), 2, "time_s is 1 in all samples");
   expect("peaks " + file("text.csv", "time_s,force\n0,strong\n"), 2, "'strong' is not a number");
-  expect("peaks " + file("tabs.csv", "time_s\tforce\n0\t1\n"), 2, "columns are separated by commas");
+  expect("peaks " + file("tabs.csv", "time_s\tforce\n0\t1\n"), 2, "tabs between the columns");
   expect("peaks " + file("bare.csv", "0,1\n1,2\n"), 2, "bare.csv:1: '0' in the header");
   expect("peaks " + file("comma.csv", "\"Zeit, s\",\"Kraft, N\"\n\"0,1\",\"0,5\"\n") + " --column 'Kraft, N'", 2,
          "comma.csv:2: column Kraft, N: '0,5' is not a number (decimal comma: write 0.5)");

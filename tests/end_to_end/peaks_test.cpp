@@ -100,8 +100,8 @@ TEST_F(Peaks, TimesUnderAnotherNameAreAskedFor) {
   const std::string peaks = "peaks " + (dir / "rig.csv").string() + " --column 'Force (N)'";
   const auto untimed = run(peaks);
   EXPECT_EQ(untimed.status, 0) << untimed.text;
-  EXPECT_NE(untimed.text.find("no column time_s: samples are taken for evenly spaced, and lengths are in samples (name "
-                              "the times with --time; there are: Time (s), Operator)"),
+  EXPECT_NE(untimed.text.find("no column time_s: samples are taken for evenly spaced, and lengths are in samples; the "
+                              "five numbers are the same (name the times with --time; there are: Time (s), Operator)"),
             std::string::npos)
       << untimed.text;
   const auto timed = run(peaks + " --time 'Time (s)' --json " + (dir / "rig.json").string());

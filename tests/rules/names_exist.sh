@@ -19,7 +19,7 @@ find . \( -name .git -o -path ./build -o -path ./try -o -path ./demo -o -name no
 grep -E '\.(md|cpp|hpp|h|c|sh|py|cmake|toml|txt)$|^run$|^\.ci/' "$all" | tr '\n' '\0' | xargs -0 awk -v all="$all" '
   BEGIN {
     # of libraries; and what bitrock, the scripts of its tests and the readers of docs/guide write
-    split("bit.h cairo.h hwy/highway.h hwy/foreach_target.h array.sh collect.sh summary.md my_rig.py my_table.py", other)
+    split("bit.h cairo.h hwy/highway.h hwy/foreach_target.h array.sh collect.sh summary.md my_rig.py my_table.py rings.py convert.py", other)
     for (i in other) known[other[i]] = 1
     while ((getline path < all) > 0) {
       files[++count] = path

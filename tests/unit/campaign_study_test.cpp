@@ -82,7 +82,8 @@ TEST_F(StudyFile, WrongTablesNameFileAndLine) {
             "cases.csv:4: the same case as in line 2 (each may appear once; seeds repeat them)");
   table("cutter_speed_m_per_s,depth_of_cut_mm,back_rake\n0.5,2,10\n");
   EXPECT_EQ(message(text, "cases.csv"),
-            "cases.csv: column back_rake_deg is missing (the nearest one there is back_rake)");
+            "cases.csv: a column is missing: back_rake_deg (is it back_rake?); needed are: cutter_speed_m_per_s, "
+            "depth_of_cut_mm, back_rake_deg; the file has: cutter_speed_m_per_s, depth_of_cut_mm, back_rake");
   table(header + "0.5,2,10\n0.5,6,10\n");
   EXPECT_EQ(message(text).find("study.toml: case 2: cut.depth_of_cut_mm = 6 (at most a third"), 0u);
 }

@@ -58,9 +58,13 @@ TEST(Csv, RefusesWithPlace) {
   EXPECT_EQ(message("a,b\n1\n"), "table.csv:2: 1 values (the header has 2 columns)");
   EXPECT_EQ(message("a,a\n1,2\n"), "table.csv:1: column 'a' appears twice");
   EXPECT_EQ(message("a;b\n1;2\n"),
-            "table.csv:1: 'a;b' in the header (columns are separated by commas; numbers have a point)");
+            "table.csv:1: semicolons between the columns: 'a;b' (columns must be separated by commas, and numbers have "
+            "a point; out of Excel: "
+            "docs/guide/my_data_into_the_networks.md)");
   EXPECT_EQ(message("a\tb\n1\t2\n"),
-            "table.csv:1: 'a\tb' in the header (columns are separated by commas; numbers have a point)");
+            "table.csv:1: tabs between the columns: 'a\tb' (columns must be separated by commas, and numbers have a "
+            "point; out of Excel: "
+            "docs/guide/my_data_into_the_networks.md)");
   EXPECT_EQ(message("0,1\n1,2\n"), "table.csv:1: '0' in the header (the first line gives the columns' names)");
   EXPECT_TRUE(std::isnan(base::read_csv(write("a\nnan\n"), true).columns[0][0]));
 }
@@ -128,6 +132,31 @@ TEST(Csv, OnlyColumnsThatAreUsedMustHoldNumbers) {
   EXPECT_EQ(refusal("date"), "table.csv:2: column date: '2026-11-29' is not a number");
 }
 
+TEST(Csv, AllMissingColumnsAreNamedAtOnce) {
+  const base::CsvTable table = base::read_csv(write("case,x_mean,depth_of_cut\n1,2,3\n"));
+  const auto refusal = [&](const std::vector<std::string>& needed) {
+    try {
+      table.require(needed);
+    } catch (const base::InputError& error) {
+      const std::string what = error.what();
+      return what.substr(what.find("table.csv"));
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal({"case", "x_mean"}), "accepted");
+  EXPECT_EQ(refusal({"case", "x_amean", "depth_of_cut_mm", "back_rake_deg"}),
+            "table.csv: columns are missing: x_amean (is it x_mean?), depth_of_cut_mm (is it depth_of_cut?), "
+            "back_rake_deg; needed are: case, x_amean, depth_of_cut_mm, back_rake_deg; the file has: case, x_mean, "
+            "depth_of_cut");
+  // a column that is needed under its own name is not meant by another
+  EXPECT_EQ(refusal({"cases", "case", "x_mean"}),
+            "table.csv: a column is missing: cases; needed are: cases, case, x_mean; the file has: case, x_mean, "
+            "depth_of_cut");
+  EXPECT_EQ(refusal({"time_s", "force"}),
+            "table.csv: columns are missing: time_s, force; the file has: case, x_mean, depth_of_cut");
+  EXPECT_EQ(refusal({"x_mea"}), "table.csv: no column x_mea (is it x_mean?); the file has: case, x_mean, depth_of_cut");
+}
+
 TEST(Csv, ColumnsWithoutANameAndRowsWithoutACellArePassedOver) {
   const base::CsvTable behind = base::read_csv(write("time_s,F,,\n0,1,,\n1,2\n,,\n2,3,\n"));
   EXPECT_EQ(behind.names, (std::vector<std::string>{"time_s", "F"}));
@@ -157,7 +186,9 @@ TEST(Csv, NumbersInOtherFormsAreRefused) {
             "table.csv:2: column a: '1e999' is beyond what a number can be here (1e-308 to 1e308)");
   EXPECT_EQ(message("a,b\n0,5,0\n"), "table.csv:2: 3 values (the header has 2 columns)");  // a comma too many
   EXPECT_EQ(message("Zeit, s;Kraft, N\n0,0;0,5\n"),
-            "table.csv:1: 's;Kraft' in the header (columns are separated by commas; numbers have a point)");
+            "table.csv:1: semicolons between the columns: 's;Kraft' (columns must be separated by commas, and numbers "
+            "have a point; out of Excel: "
+            "docs/guide/my_data_into_the_networks.md)");
 }
 
 TEST(Csv, AHeaderBehindACommentSignIsNamed) {

@@ -93,11 +93,18 @@ TEST(BitFile, CuttersThatDoNotCoverTheFaceOnceAreWarnedOf) {
   ASSERT_EQ(small.size(), 1u);
   EXPECT_EQ(small[0],
             "bit 'b': the widths of its 1 cutters add up to 20 mm, 0.2 of its radius of 100 mm: each cutter takes the "
-            "whole depth of its ring, so rock is left standing and the force is too small");
+            "whole depth of its ring, so rock is left standing and the force is too small (let the rings meet, their "
+            "edges half-way between neighbouring cutters)");
   const auto twice = runtime::warnings(read(bit_table + cutter_table + cutter_table));
   ASSERT_EQ(twice.size(), 2u);
-  EXPECT_NE(twice[0].find("some rock is cut twice"), std::string::npos) << twice[0];
-  EXPECT_EQ(twice[1], "bit 'b': cutters run on one circle, and each takes the whole depth there: 1 and 2");
+  EXPECT_NE(twice[0].find("some rock is cut twice and the force is too large (width_mm is the width of the ring that a "
+                          "cutter takes alone, not that of its face: let the edges of the rings lie half-way between "
+                          "neighbouring cutters)"),
+            std::string::npos)
+      << twice[0];
+  EXPECT_EQ(twice[1],
+            "bit 'b': cutters run on one circle, and each takes the whole depth there: 1 and 2 (write the cutters of a "
+            "circle as one, with their mean back rake)");
   EXPECT_TRUE(runtime::warnings(runtime::read_bit(BITROCK_SOURCE_DIR "/campaigns/bits/pdc15.toml")).empty());
 }
 

@@ -54,11 +54,19 @@ TEST(SurrogateData, TakesAMeanFileWithoutSeedsAndWithOtherColumnsInOtherOrder) {
 }
 
 TEST(SurrogateData, ColumnsAndNumbersMustBeThere) {
-  EXPECT_EQ(message("case,seed\n1,1\n2,1\n"),
-            "features.csv: column cutter_speed_m_per_s is missing (the file has: case, seed)");
+  const std::string needed =
+      "; needed are: case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, x_amax_N_per_m, "
+      "x_amean_N_per_m, x_np1, x_np23, x_np4, y_amax_N_per_m, y_amean_N_per_m, y_np1, y_np23, y_np4; the file has: ";
+  EXPECT_EQ(
+      message("case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,x_mean,x_amax_N_per_m,"
+              "x_np1,x_np23,x_np4,y_amean_N_per_m,y_np1,y_np23,y_np4\n1,1,1,1,1,1,1,1,1,1,1,1,1,1,1\n"),
+      "features.csv: columns are missing: x_amean_N_per_m, y_amax_N_per_m" + needed +
+          "case, seed, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, x_mean, x_amax_N_per_m, "
+          "x_np1, x_np23, x_np4, y_amean_N_per_m, y_np1, y_np23, y_np4");
   std::string renamed = features_header + row_1_1 + row_2_1;
   renamed.replace(renamed.find("cut_length_m"), 12, "cutlength_mm");
-  EXPECT_EQ(message(renamed), "features.csv: column cut_length_m is missing (the nearest one there is cutlength_mm)");
+  EXPECT_EQ(message(renamed).find("features.csv: a column is missing: cut_length_m (is it cutlength_mm?)" + needed),
+            0U);
   EXPECT_EQ(message(features_header), "features.csv: only a header (at least one row is needed)");
   EXPECT_EQ(message(features_header + "1,1,0.5,2,x,0.05,0.1,1000,400,3,7,10,500,200,2,5,9\n"),
             "features.csv:2: column back_rake_deg: 'x' is not a number");

@@ -17,8 +17,8 @@ using surrogate_fixture::refusal;
 
 /// A row of that case and condition; its numbers differ from row to row.
 std::string row(int number, double speed, double depth, double rake, int seed = 1) {
-  return fmt::format("{},{},{},{},{},0.05,0.1,{},{},3,7,{},{},200,2,5,9\n", number, seed, speed, depth, rake,
-                     1000 + 10 * number + seed, 400 + number, 8 + number, 500 + number);
+  return fmt::format("{},{},{},{},{},0.05,0.1,{},{},3,7,{},{},20000,2,5,9\n", number, seed, speed, depth, rake,
+                     100000 + 10 * number + seed, 40000 + number, 8 + number, 50000 + number);
 }
 
 std::vector<std::string> warnings(const std::string& rows) {
@@ -46,7 +46,7 @@ TEST(SurrogateDataWarnings, OneConditionUnderTwoNumbers) {
 }
 
 TEST(SurrogateDataWarnings, CopiedRows) {
-  const std::string statistics = ",0.05,0.1,1000,400,3,7,10,500,200,2,5,9\n";
+  const std::string statistics = ",0.05,0.1,100000,40000,3,7,11,50000,20000,2,5,9\n";
   const auto all = warnings("1,1,1,2,15" + statistics + "1,2,1,2,15" + statistics + row(2, 1, 2, 20));
   ASSERT_EQ(all.size(), 1u);
   EXPECT_NE(all[0].find("copied? (1: line 3 as line 2)"), std::string::npos) << all[0];
@@ -54,7 +54,7 @@ TEST(SurrogateDataWarnings, CopiedRows) {
 
 TEST(SurrogateDataWarnings, CountsThatDoNotFit) {
   const auto all =
-      warnings("1,1,1,2,15,0.05,0.1,0,0,3,7,10,500,200,2,5,9\n2,1,1,3,15,0.05,0.1,9,5,3,7,10.5,500,200,0,0,0\n");
+      warnings("1,1,1,2,15,0.05,0.1,0,0,3,7,10,500,200,2,5,9\n2,1,1,3,15,0.05,0.1,9e4,5e4,3,7,10.5,500,200,0,0,0\n");
   ASSERT_EQ(all.size(), 2u);
   EXPECT_NE(all[0].find("(2: line 2, x, line 3, y)"), std::string::npos) << all[0];
   EXPECT_NE(all[1].find("(1: line 3, 10.5 of x_np4_per_m)"), std::string::npos) << all[1];

@@ -40,6 +40,7 @@ void add_clamp_note(report::Page& page, const nlohmann::json& signal) {
 
 void add_bit_force(report::Page& page, const std::filesystem::path& csv, const std::filesystem::path& json) {
   const base::CsvTable table = base::read_csv(csv);
+  table.require({"time_s", "axial_force_N", "torque_N_m"});
   const std::vector<double>& time = table.column("time_s");
   std::vector<double> force = table.column("axial_force_N");
   const std::vector<double>& torque = table.column("torque_N_m");
