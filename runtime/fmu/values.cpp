@@ -86,16 +86,25 @@ void set_value(Settings& settings, Inputs& inputs, unsigned reference, double va
   }
 }
 
+namespace {
+
+/// What an importer may send, the lowest int too, must not overflow; -1 is no item, and is refused where it is used.
+int item_of(int value) {
+  return value < first_item ? -1 : value - first_item;
+}
+
+}  // namespace
+
 void set_value(Settings& settings, Inputs&, unsigned reference, int value) {
   switch (reference) {
     case seed:
       settings.signal.seed = static_cast<std::uint64_t>(value);
       break;
     case combine:
-      settings.signal.combine = value - first_item;
+      settings.signal.combine = item_of(value);
       break;
     default:
-      settings.signal.amplitude_fit = value - first_item;
+      settings.signal.amplitude_fit = item_of(value);
   }
 }
 
