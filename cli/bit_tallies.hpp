@@ -15,4 +15,11 @@ void warn_of_bit(const CommonOptions& options, const runtime::Bit& bit, const su
 /// `asked` says by how much (`runtime::asked_outside`), and at which motion; it may be empty.
 void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps, const std::string& asked);
 
+/// How many windows of the mode "sawtooth" could not have what the networks say; nothing where all could.
+void tell_draws(const CommonOptions& options, const runtime::DrawTally& draws);
+
+/// The flag `--mode`, in place of the mode of the bit file.
+void add_mode(CLI::App& command, std::string& mode);
+runtime::SignalMode mode_of_flag(const std::string& mode);
+
 }  // namespace bitrock::cli

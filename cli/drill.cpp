@@ -23,7 +23,7 @@ using base::rpm;
 
 struct Options {
   CommonOptions common;
-  std::string case_file, model_file, output;
+  std::string case_file, model_file, output, mode;
   int seed = -1;
 };
 
@@ -127,6 +127,7 @@ void print_plan(const Options& options, const runtime::DrillCase& drill, const r
 void run(const Options& options) {
   runtime::DrillCase drill = runtime::read_drill_case(options.case_file);
   if (options.seed >= 0) drill.source.seed = options.seed;
+  if (!options.mode.empty()) drill.bit.signal.mode = mode_of_flag(options.mode);
   const runtime::DrillString string = runtime::assemble(drill);
   for (const std::string& warning : runtime::warnings(drill, string)) warn(options.common, warning);
   const std::optional<surrogate::Model> model = model_of(options.common, options.model_file, drill);
@@ -171,6 +172,7 @@ void add_drill(CLI::App& app) {
       ->add_option("--model", options->model_file,
                    "The bit asks the networks of this model file (model.json), not those that the case names.")
       ->check(not_empty());
+  add_mode(*command, options->mode);
   command
       ->add_option("--seed", options->seed,
                    "The seed draws the peaks of the bit force, or the noise: another seed gives another force of the "

@@ -33,15 +33,16 @@ void say_table(const CommonOptions& options, const surrogate::Parity& parity) {
                 first.held_out.cases, first.all.cases)
           : fmt::format("no case was held out: all {} cases, learnt from, so the network may follow their noise",
                         first.all.cases));
-  constexpr const char* line = "{:<9} {:<5} {:>8} {:>8} {:>7}  {:>8} {:>7}  {:>8} {:>8}   {}\n";
-  say(options, line, "output", "unit", "DEM s.e.", "RMSE", "x s.e.", "mean dev", "(noise)", "max dev", "(noise)",
+  constexpr const char* line = "{:<{}} {:<5} {:>8} {:>8} {:>7}  {:>8} {:>7}  {:>8} {:>8}   {}\n";
+  const int width = parity.outputs.size() > surrogate::article_output_count ? 18 : 9;
+  say(options, line, "output", width, "unit", "DEM s.e.", "RMSE", "x s.e.", "mean dev", "(noise)", "max dev", "(noise)",
       "verdict");
   for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
     const surrogate::OutputParity& output = parity.outputs[k];
     const surrogate::ParitySummary& seen = parity.has_held_out ? output.held_out : output.all;
     const auto [name, unit, factor] = views::shown(output, k);
     const auto& noise = seen.noise_alone;
-    say(options, line, name, unit, views::number(seen.noise, factor), views::number(seen.rmse, factor),
+    say(options, line, name, width, unit, views::number(seen.noise, factor), views::number(seen.rmse, factor),
         views::number(seen.rmse_over_noise), views::percent(seen.mean_deviation),
         views::percent(noise ? std::optional(noise->mean) : std::nullopt), views::percent(seen.max_deviation),
         views::percent(noise ? std::optional(noise->max) : std::nullopt), views::verdict_text(output.judged));

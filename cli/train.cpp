@@ -44,7 +44,8 @@ std::string search_kinds(Options& options, const surrogate::TrainingData& data, 
       "{}-fold cross-validation over {} cases: root mean square errors on cases not learnt from, in standard errors of "
       "the data (1 is perfect)\n  {:<58} {:>6} {:>16}",
       search.folds, search.cases, "kind", "all", "gain");
-  for (const auto& name : surrogate::output_names) say(options.common, " {:>7}", short_name(name.name));
+  const std::size_t count = surrogate::output_count(data);
+  for (std::size_t i = 0; i < count; ++i) say(options.common, " {:>7}", short_name(surrogate::output_names[i].name));
   say(options.common, "\n");
   for (const surrogate::CandidateResult& result : search.results) {
     const std::string gain =
@@ -92,7 +93,7 @@ void run(Options options) {
   surrogate::check_options(options.train);
   if (options.common.check) {
     say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", data.file, data.rows.size(), cases,
-        surrogate::output_count, surrogate::parameter_count(options.train.layers));
+        surrogate::output_count(data), surrogate::parameter_count(options.train.layers));
     write_json(options.common, {{"rows", data.rows.size()}, {"cases", cases}});
     return;
   }
@@ -114,6 +115,7 @@ void run(Options options) {
       model.provenance.train_cases.size(),
       validation > 0 ? fmt::format("{} to say when to stop, ", validation) : std::string(),
       model.provenance.test_cases.size());
+  const int width = surrogate::has_moments(model) ? 21 : 16;  // of the longest name
   for (const surrogate::OutputModel& output : model.outputs) {
     const surrogate::LearningPoint& last = output.learning_curve.back();
     outputs[output.variable.name] = {{"train_mse", last.train_mse},
@@ -121,8 +123,8 @@ void run(Options options) {
                                      {"epochs", last.epoch},
                                      {"best_epoch", output.best_epoch},
                                      {"restarts", output.restarts}};
-    say(options.common, "  {:<16} train {:.3e}   test {:.3e}   epoch {} of {}   restarts {}\n", output.variable.name,
-        last.train_mse, last.test_mse, output.best_epoch, last.epoch, output.restarts);
+    say(options.common, "  {:<{}} train {:.3e}   test {:.3e}   epoch {} of {}   restarts {}\n", output.variable.name,
+        width, last.train_mse, last.test_mse, output.best_epoch, last.epoch, output.restarts);
   }
   say(options.common, "{:.2f} s -> {}\n", wall, options.output);
   nlohmann::json result{{"outputs", outputs}, {"wall_s", wall}};
