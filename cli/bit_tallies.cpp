@@ -56,4 +56,28 @@ void tell_draws(const CommonOptions& options, const runtime::DrawTally& draws) {
   }
 }
 
+void tell_sawtooth_draws(const CommonOptions& options, const runtime::DrawTally& draws) {
+  if (draws.length_clamped + draws.correlation_clamped + draws.capped == 0) return;
+  say(options,
+      "of {} windows of a cutter and a direction, {} hold fewer pulses than the networks say; of the windows of a "
+      "cutter, {} have a correlation length too short for a sawtooth, and {} a correlation of x and y that their "
+      "deviations do not allow\n",
+      draws.drawn, draws.capped, draws.length_clamped, draws.correlation_clamped);
+}
+
+void add_mode(CLI::App& command, std::string& mode) {
+  command
+      .add_option("--mode", mode,
+                  "The force is rebuilt by this mode: sawtooth, article, article-literal, or auto (sawtooth when the "
+                  "model can, else article). Without it the bit file says it.")
+      ->check(CLI::IsMember(std::vector<std::string>{"auto", "sawtooth", "article", "article-literal"}));
+}
+
+runtime::SignalMode mode_of_flag(const std::string& mode) {
+  for (const runtime::ModeName& known : runtime::mode_names) {
+    if (known.name == mode) return known.mode;
+  }
+  return runtime::SignalMode::automatic;  // the flag was checked
+}
+
 }  // namespace bitrock::cli

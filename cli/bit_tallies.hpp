@@ -19,4 +19,11 @@ void tell_clamps(const CommonOptions& options, const runtime::ClampTally& clamps
 /// tenth), or else a warning.
 void tell_draws(const CommonOptions& options, const runtime::DrawTally& draws);
 
+/// How many windows of the mode "sawtooth" could not have what the networks say; nothing where all could.
+void tell_sawtooth_draws(const CommonOptions& options, const runtime::DrawTally& draws);
+
+/// The flag `--mode`, in place of the mode of the bit file.
+void add_mode(CLI::App& command, std::string& mode);
+runtime::SignalMode mode_of_flag(const std::string& mode);
+
 }  // namespace bitrock::cli

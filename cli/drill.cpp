@@ -22,7 +22,7 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string case_file, model_file, output;
+  std::string case_file, model_file, output, mode;
   int seed = -1;
 };
 
@@ -91,6 +91,7 @@ void print_plan(const Options& options, const runtime::DrillCase& drill, const r
 void run(const Options& options) {
   runtime::DrillCase drill = runtime::read_drill_case(options.case_file);
   if (options.seed >= 0) drill.source.seed = options.seed;
+  if (!options.mode.empty()) drill.bit.signal.mode = mode_of_flag(options.mode);
   const runtime::DrillString string = runtime::assemble(drill);
   for (const std::string& warning : runtime::warnings(drill, string)) warn(options.common, warning);
   const std::optional<surrogate::Model> model = model_of(options.common, options.model_file, drill);
@@ -133,6 +134,7 @@ void add_drill(CLI::App& app) {
   CLI::App* command = drill->add_subcommand("run", "Computes the vibrations of the string and the bit over time.");
   command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
   add_model_of_case(*command, options->model_file);
+  add_mode(*command, options->mode);
   command
       ->add_option("--seed", options->seed,
                    "The seed draws the peaks of the bit force, or the noise: another seed gives another force of the "

@@ -43,6 +43,13 @@ void run(const Options& options) {
                       options.model_file));
     }
   }
+  for (const double moment : prediction.moments) {
+    if (!std::isfinite(moment))
+      throw base::InputError(
+          fmt::format("{}: no finite answer for these conditions (they are too far outside its "
+                      "training range)",
+                      options.model_file));
+  }
   if (!prediction.inside_training_range) {
     const std::array<double, surrogate::input_count> asked{options.speed, options.depth_mm, options.rake_deg};
     std::string outside;
@@ -62,10 +69,23 @@ void run(const Options& options) {
           p.np1 * cut_length, p.np23 * cut_length, p.np4 * cut_length);
     }
   }
+  const auto& [x_mean, x_sd, y_mean, y_sd, length, correlation] = prediction.moments;
+  if (prediction.has_moments) {
+    say(options.common,
+        "mean and standard deviation: x {:.4g} and {:.4g} kN/m, y {:.4g} and {:.4g} kN/m; correlation length {:.4g} "
+        "mm, correlation of x and y {:.3g}\n",
+        x_mean * 1e-3, x_sd * 1e-3, y_mean * 1e-3, y_sd * 1e-3, length * 1e3, correlation);
+  }
   nlohmann::json result{{"x", as_json(prediction.x)},
                         {"y", as_json(prediction.y)},
                         {"units", {{"amax", "N/m"}, {"amean", "N/m"}, {"np1", "1/m"}, {"np23", "1/m"}, {"np4", "1/m"}}},
                         {"inside_training_range", prediction.inside_training_range}};
+  if (prediction.has_moments) {
+    result["moments"] = nlohmann::json::object();
+    for (std::size_t i = 0; i < prediction.moments.size(); ++i)
+      result["moments"][std::string(surrogate::output_names[surrogate::article_output_count + i].name)] =
+          prediction.moments[i];
+  }
   if (cut_length > 0.0) {
     result["cut"] = {
         {"cut_length_m", cut_length}, {"x", counts(prediction.x, cut_length)}, {"y", counts(prediction.y, cut_length)}};

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "runtime/bit/asked_range.hpp"
 #include "runtime/bit/constant_speed.hpp"
+#include "runtime/bit/core_description.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "views/json/bit_json.hpp"
 
@@ -18,12 +19,13 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string bit_file, model_file, output;
+  std::string bit_file, model_file, output, mode;
   double rpm = 0.0, rop_m_per_h = 0.0, duration = 10.0, rate = 5000.0;
 };
 
 void run(const Options& options) {
-  const runtime::Bit bit = runtime::read_bit(options.bit_file);
+  runtime::Bit bit = runtime::read_bit(options.bit_file);
+  if (!options.mode.empty()) bit.signal.mode = mode_of_flag(options.mode);
   const surrogate::Model model = surrogate::read_model(options.model_file);
   for (const std::string& warning : runtime::warnings(bit)) warn(options.common, warning);
   const runtime::ConstantSpeed drive{.rotation = options.rpm * 2.0 * std::numbers::pi / 60.0,
@@ -43,12 +45,14 @@ void run(const Options& options) {
                                    {signal.time_s, signal.angle_rad, signal.axial_force_N, signal.torque_N_m}));
   const runtime::SignalSummary& s = signal.summary;
   const double times_real_time = options.duration / wall;
+  const runtime::SignalMode mode = runtime::mode_for(bit.signal.mode, model);
+  const bool is_sawtooth = mode == runtime::SignalMode::sawtooth;
   say(options.common, "{}: {:g} rpm, {:g} m/h, depth of cut {:.4g} mm per turn\n", bit.name, options.rpm,
       options.rop_m_per_h, s.depth_of_cut_m * 1e3);
   say(options.common, "axial force mean {:.4g} kN, max {:.4g} kN; torque mean {:.4g} N m, max {:.4g} N m\n",
       s.mean_force_N * 1e-3, s.max_force_N * 1e-3, s.mean_torque_N_m, s.max_torque_N_m);
   tell_clamps(options.common, s.clamps, runtime::asked_outside(bit, model, drive.rotation, drive.rate_of_penetration));
-  tell_draws(options.common, s.draws);
+  is_sawtooth ? tell_sawtooth_draws(options.common, s.draws) : tell_draws(options.common, s.draws);
   say(options.common, "{} samples, {:.0f} times real time -> {}\n", signal.time_s.size(), times_real_time,
       options.output);
   write_json(options.common, {{"bit", bit.name},
@@ -61,6 +65,7 @@ void run(const Options& options) {
                               {"max_torque_N_m", s.max_torque_N_m},
                               {"depth_of_cut_m", s.depth_of_cut_m},
                               {"clamped", views::as_json(s.clamps)},
+                              {"mode", runtime::name_of(mode)},
                               {"windows", views::as_json(s.draws)},
                               {"samples", signal.time_s.size()},
                               {"times_real_time", times_real_time}});
@@ -77,6 +82,7 @@ void add_signal(CLI::App& app) {
       ->add_option("--model", options->model_file,
                    "The model file with the networks, e.g. campaigns/paper240/model.json.")
       ->required();
+  add_mode(*command, options->mode);
   command->add_option("--rpm", options->rpm, "The bit turns at this speed.")
       ->required()
       ->check(within("--rpm", base::between(runtime::slowest_rpm, runtime::fastest_rpm)));

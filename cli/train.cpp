@@ -58,7 +58,7 @@ void run(Options options) {
   surrogate::check_options(options.train);
   if (options.common.check) {
     say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", data.file, data.rows.size(), cases,
-        surrogate::output_count, surrogate::parameter_count(options.train.layers));
+        surrogate::output_count(data), surrogate::parameter_count(options.train.layers));
     write_json(options.common, {{"rows", data.rows.size()}, {"cases", cases}});
     return;
   }

@@ -91,7 +91,7 @@ py::dict predict(const Model& model, const py::object& speed, const py::object& 
   const Doubles v(together[0]), d(together[1]), rake(together[2]);
   const std::vector<py::ssize_t> shape(v.shape(), v.shape() + v.ndim());
   std::vector<py::array_t<double>> columns;
-  for (std::size_t k = 0; k < surrogate::output_count; ++k) columns.emplace_back(shape);
+  for (std::size_t k = 0; k < model.outputs.size(); ++k) columns.emplace_back(shape);
   py::array_t<bool> inside(shape);
   std::vector<double*> to;
   for (py::array_t<double>& column : columns) to.push_back(column.mutable_data());
@@ -124,7 +124,7 @@ py::dict predict(const Model& model, const py::object& speed, const py::object& 
 }  // namespace
 
 void bind_model(py::module_& module) {
-  py::class_<Model>(module, "Model", "Ten small networks: peak statistics of the force on a cutter in one rock.")
+  py::class_<Model>(module, "Model", "Small networks, one an output: statistics of the force on a cutter in one rock.")
       .def_static(
           "load", [](const py::object& path) { return surrogate::read_model(input_path(path)); }, py::arg("path"),
           "Read a model file (model.json).")
@@ -137,11 +137,14 @@ void bind_model(py::module_& module) {
            "metre\n"
            "of cutter width], x_np1_per_m, x_np23_per_m, x_np4_per_m [peaks per metre of cut], the same of y (axial), "
            "and\n"
+           "where the model has them x_mean_N_per_m, x_sd_N_per_m, y_mean_N_per_m, y_sd_N_per_m,\n"
+           "correlation_length_m, xy_correlation; and\n"
            "inside_training_range [bool]: where it is False the networks extrapolate.")
       .def_readonly("rock", &Model::rock, "which rock, in words")
       .def_property_readonly("inputs", &inputs, "three dicts: name, unit, low, high (training range, in that unit)")
-      .def_property_readonly("outputs", &outputs,
-                             "ten dicts: name, unit, low, high, layers, output_activation, best_epoch, restarts")
+      .def_property_readonly(
+          "outputs", &outputs,
+          "ten or sixteen dicts: name, unit, low, high, layers, output_activation, best_epoch, restarts")
       .def_property_readonly("learning_curves", &learning_curves,
                              "by output: dict of arrays epoch, train_mse, validation_mse, test_mse (scaled units)")
       .def_property_readonly("provenance", &provenance, "dict: data, seeds and cases of the training")

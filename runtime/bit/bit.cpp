@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -20,17 +21,23 @@ constexpr double allowed_width_error = 0.1;
 base::Section describe_bit(Bit& bit, BitWords& words) {
   const base::Range diameter = base::between(10.0, 5000.0);  // from a core bit on the bench to a shaft
   const base::Range window = base::between(1.0, 360.0);
+  const base::Range drop = base::between(1e-3, 10.0);
   const base::Range factor = base::between(0.01, 2.0);  // pulses without width have no force
-  return {"bit",
-          {{"name", &bit.name, 1.0, base::any(), "for people", true},
-           {"diameter_mm", &bit.diameter, mm, diameter, "diameter of the bit", true},
-           {"window_angle_deg", &bit.signal.window_angle, deg, window, "angle over which peaks are drawn together"},
-           {"pulse_width_factor", &bit.signal.pulse_width_factor, 1.0, factor,
-            "half-width of a peak over half the mean distance of peaks"},
-           {"combine", &words.combine, 1.0, base::any(), "overlapping peaks: 'sum' or 'max'"},
-           {"amplitude_fit", &words.amplitude_fit, 1.0, base::any(),
-            "how heights meet their mean: 'band_preserving' or 'article'"},
-           {"seed", &words.seed, 1.0, base::between(0, 2147483647), "of all random draws"}}};
+  return {
+      "bit",
+      {{"name", &bit.name, 1.0, base::any(), "for people", true},
+       {"diameter_mm", &bit.diameter, mm, diameter, "diameter of the bit", true},
+       {"mode", &words.mode, 1.0, base::any(),
+        "what the force is rebuilt by: 'sawtooth', 'article', 'article-literal', or 'auto': sawtooth when the model "
+        "can, else article"},
+       {"drop_length_mm", &bit.signal.drop_length, mm, drop, "length over which a sawtooth falls"},
+       {"window_angle_deg", &bit.signal.window_angle, deg, window, "angle over which peaks are drawn together"},
+       {"pulse_width_factor", &bit.signal.pulse_width_factor, 1.0, factor,
+        "half-width of a peak over half the mean distance of peaks"},
+       {"combine", &words.combine, 1.0, base::any(), "overlapping peaks: 'sum' or 'max'"},
+       {"amplitude_fit", &words.amplitude_fit, 1.0, base::any(),
+        "how heights meet their mean: 'band_preserving' or 'article'"},
+       {"seed", &words.seed, 1.0, base::between(0, 2147483647), "of all random draws"}}};
 }
 
 base::Section describe(Cutter& cutter, double bit_diameter) {
@@ -49,6 +56,11 @@ void take_words(const base::ConfigFile& file, const BitWords& words, SignalSetti
   if (words.amplitude_fit != "band_preserving" && words.amplitude_fit != "article") {
     file.refuse("bit", "amplitude_fit", "must be 'band_preserving' or 'article'");
   }
+  const auto mode = std::find_if(mode_names.begin(), mode_names.end(),
+                                 [&](const ModeName& known) { return known.name == words.mode; });
+  if (mode == mode_names.end())
+    file.refuse("bit", "mode", "must be 'auto', 'sawtooth', 'article' or 'article-literal'");
+  signal.mode = mode->mode;
   signal.combine = words.combine == "max" ? Combine::max : Combine::sum;
   signal.amplitude_fit = words.amplitude_fit == "article" ? AmplitudeFit::article : AmplitudeFit::band_preserving;
   signal.seed = static_cast<std::uint64_t>(words.seed);
@@ -116,8 +128,14 @@ Bit read_bit(const std::filesystem::path& path) {
   return read_bit(file);
 }
 
+std::string_view name_of(SignalMode mode) {
+  return std::find_if(mode_names.begin(), mode_names.end(), [&](const ModeName& known) { return known.mode == mode; })
+      ->name;
+}
+
 BitWords words_of(const Bit& bit) {
-  return {.combine = bit.signal.combine == Combine::max ? "max" : "sum",
+  return {.mode = std::string(name_of(bit.signal.mode)),
+          .combine = bit.signal.combine == Combine::max ? "max" : "sum",
           .amplitude_fit = bit.signal.amplitude_fit == AmplitudeFit::article ? "article" : "band_preserving",
           .seed = static_cast<int>(bit.signal.seed)};
 }

@@ -2,8 +2,10 @@
 /// A whole bit as a list of cutters, and its file. A bit here is geometry and the settings of its signal; it has no
 /// rock, no mass and no motion.
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/config.hpp"
@@ -44,8 +46,21 @@ std::vector<std::string> warnings(const Bit& bit);
 /// The bit of a file in which other things stand too: its keys of `[bit]`, and `[[cutter]]`.
 Bit bit_inside(base::ConfigFile& file);
 
+/// The words for the modes, in files and flags.
+struct ModeName {
+  std::string_view name;
+  SignalMode mode;
+};
+inline constexpr std::array<ModeName, 4> mode_names{{{"auto", SignalMode::automatic},
+                                                     {"sawtooth", SignalMode::sawtooth},
+                                                     {"article", SignalMode::article},
+                                                     {"article-literal", SignalMode::article_literal}}};
+
+std::string_view name_of(SignalMode mode);
+
 /// What the file says in other terms than the bit holds.
 struct BitWords {
+  std::string mode = "auto";                      ///< "auto", "article", "article-literal" or "sawtooth"
   std::string combine = "sum";                    ///< "sum" or "max"
   std::string amplitude_fit = "band_preserving";  ///< "band_preserving" or "article"
   int seed = 1;                                   ///< of all draws

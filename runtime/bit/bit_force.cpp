@@ -12,7 +12,7 @@ namespace bitrock::runtime {
 
 namespace {
 
-void require_usable(const Bit& bit) {
+void require_usable(const Bit& bit, const surrogate::Model& model) {
   const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
   if (!positive(bit.signal.window_angle)) {
     throw base::InputError(
@@ -21,6 +21,16 @@ void require_usable(const Bit& bit) {
   if (!positive(bit.signal.pulse_width_factor) || bit.signal.pulse_width_factor > 2.0) {
     throw base::InputError(fmt::format("bit {}: pulse width factor {} (must be above 0 and at most 2)", bit.name,
                                        bit.signal.pulse_width_factor));
+  }
+  if (!positive(bit.signal.drop_length)) {
+    throw base::InputError(fmt::format("bit {}: drop length {} m (must be above 0)", bit.name, bit.signal.drop_length));
+  }
+  if (bit.signal.mode == SignalMode::sawtooth && !surrogate::has_moments(model)) {
+    throw base::InputError(fmt::format(
+        "bit {}: mode 'sawtooth' needs networks of mean, sd, correlation length and correlation, which this model does "
+        "not have: make one with 'bitrock train' from a features.csv that has their columns (x_mean_N_per_m, "
+        "x_sd_N_per_m, ..., as 'bitrock campaign collect' writes it), or choose mode = \"article\"",
+        bit.name));
   }
   if (bit.cutters.empty()) throw base::InputError(fmt::format("bit {}: no cutters (needs at least one)", bit.name));
   for (const Cutter& cutter : bit.cutters) {
@@ -48,7 +58,7 @@ void require_usable(const Bit& bit) {
 }  // namespace
 
 BitForce::BitForce(const Bit& bit, const surrogate::Model& model) {
-  require_usable(bit);
+  require_usable(bit, model);
   const CoreDescription description = describe(bit, model);
   std::int64_t parameters = 0;
   const bitrock_status status = check(description.plain, parameters);

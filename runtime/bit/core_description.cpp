@@ -14,7 +14,17 @@ bitrock_output plain(const surrogate::OutputModel& output, const std::vector<std
           .output_activation = static_cast<std::int32_t>(output.network.output)};
 }
 
+std::int32_t plain(SignalMode mode) {
+  if (mode == SignalMode::sawtooth) return BITROCK_MODE_SAWTOOTH;
+  return mode == SignalMode::article ? BITROCK_MODE_ARTICLE : BITROCK_MODE_ARTICLE_LITERAL;
+}
+
 }  // namespace
+
+SignalMode mode_for(SignalMode mode, const surrogate::Model& model) {
+  if (mode != SignalMode::automatic) return mode;
+  return surrogate::has_moments(model) ? SignalMode::sawtooth : SignalMode::article;
+}
 
 CoreDescription describe(const Bit& bit, const surrogate::Model& model) {
   CoreDescription description;
@@ -32,7 +42,10 @@ CoreDescription describe(const Bit& bit, const surrogate::Model& model) {
                                                    ? BITROCK_FIT_ARTICLE
                                                    : BITROCK_FIT_BAND_PRESERVING,
                               .seed = bit.signal.seed,
-                              .average_window_s = 0.1};
+                              .average_window_s = 0.1,
+                              .drop_length_m = bit.signal.drop_length,
+                              .mode = plain(mode_for(bit.signal.mode, model)),
+                              .reserved = 0};
   plain_description.cutters = description.cutters.data();
   plain_description.cutter_count = static_cast<std::int64_t>(description.cutters.size());
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
@@ -43,6 +56,7 @@ CoreDescription describe(const Bit& bit, const surrogate::Model& model) {
   for (const surrogate::OutputModel& output : model.outputs) {
     description.layers.emplace_back(output.network.layers.begin(), output.network.layers.end());
   }
+  plain_description.model.output_count = static_cast<std::int32_t>(model.outputs.size());
   for (std::size_t i = 0; i < model.outputs.size(); ++i) {
     plain_description.model.outputs[i] = plain(model.outputs[i], description.layers[i]);
   }

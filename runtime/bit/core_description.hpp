@@ -17,6 +17,9 @@ struct CoreDescription {
   bitrock_description plain{};                    ///< points into `cutters`, `layers` and the model
 };
 
+/// The mode that is meant when a bit with this model is asked for `mode`: never `automatic`.
+SignalMode mode_for(SignalMode mode, const surrogate::Model& model);
+
 /// A bit and a model as plain numbers. The model must outlive the description. Averages are over 0.1 s.
 CoreDescription describe(const Bit& bit, const surrogate::Model& model);
 

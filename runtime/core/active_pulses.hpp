@@ -10,13 +10,7 @@
 
 #include "runtime/signal/pulse_train.hpp"
 #include "runtime/signal/step5.hpp"
-
-// Inlined into code for two kinds of machine. The wider one has no fused multiply-add, which would change bits. Not on
-// Windows, where compilers have been known to place wide vectors on a stack that is not aligned for them.
-#if defined(__x86_64__) && !defined(_WIN32)
-#define BITROCK_WIDE __attribute__((target("avx2")))
-#endif
-#define BITROCK_INTO_BOTH inline __attribute__((always_inline))
+#include "runtime/signal/vectors.hpp"
 
 namespace bitrock::runtime {
 
@@ -24,9 +18,7 @@ namespace bitrock::runtime {
 typedef double BothDirections __attribute__((vector_size(2 * sizeof(double))));
 
 /// Two pulses: x and y of the one, x and y of the other.
-typedef double TwoPulses __attribute__((vector_size(4 * sizeof(double)), aligned(16)));
-
-typedef std::int64_t FourWords __attribute__((vector_size(4 * sizeof(std::int64_t)), aligned(16)));
+using TwoPulses = FourNumbers;
 
 struct ActivePair {
   TwoPulses height;              ///< [N/m]

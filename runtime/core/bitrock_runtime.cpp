@@ -42,12 +42,13 @@ const char* bitrock_status_text(bitrock_status status) {
     case BITROCK_NOT_A_CORE:
       return "the memory holds no core (was it created?)";
     case BITROCK_BAD_SIGNAL:
-      return "signal: window angle and averaging time must be above 0, the pulse width factor above 0 and at most 2, "
-             "combine and amplitude fit one of their words";
+      return "signal: window angle, averaging time and drop length must be above 0, the pulse width factor above 0 and "
+             "at most 2, combine, amplitude fit and mode one of their words";
     case BITROCK_BAD_CUTTER:
       return "cutters: 1 to 1000 of them, radius and width above 0, back rake finite, number within 32 bits";
     case BITROCK_BAD_MODEL:
-      return "model: layers from 3 to 1 node, each of at most 64, all numbers finite, scales of inputs above 0, low "
+      return "model: ten or sixteen outputs, layers from 3 to 1 node, each of at most 64, all numbers finite, scales "
+             "of inputs above 0, low "
              "not "
              "above high";
     case BITROCK_NOT_FINITE:
@@ -62,6 +63,10 @@ const char* bitrock_status_text(bitrock_status status) {
       return "no step has been accepted yet";
     case BITROCK_BAD_STATE:
       return "the bytes are not a state of a core of the same description";
+    case BITROCK_NO_MOMENTS:
+      return "the mode sawtooth needs a model of sixteen outputs: with mean, standard deviation, correlation length "
+             "and "
+             "correlation of the force";
   }
   return "unknown status";
 }
@@ -138,7 +143,9 @@ bitrock_status bitrock_core_tally(const bitrock_core* core, bitrock_tally* tally
             .mean_missed = draws.mean_missed,
             .band_left = draws.band_left,
             .narrowed = draws.narrowed,
-            .capped = draws.capped};
+            .capped = draws.capped,
+            .length_clamped = draws.length_clamped,
+            .correlation_clamped = draws.correlation_clamped};
   return BITROCK_OK;
 }
 

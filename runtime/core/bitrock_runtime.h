@@ -17,9 +17,11 @@
  * SI throughout; the only other units are those of the model's inputs, as in a model file.
  *
  * What holds
- * - Peaks are drawn window by window (theta_T of rotation). A window is drawn once, when it comes into reach, which is
- *   one window before it begins, for the rotation and rate of penetration of that call of `update` (the first call
- *   draws three windows); later changes wait for the next window. Within drawn windows the load depends on the angle
+ * - Force is drawn window by window (theta_T of rotation). A window is drawn once, when it comes into reach, for the
+ *   rotation and rate of penetration of that call of `update`; later changes wait for the next window. Events of
+ *   BITROCK_MODE_SAWTOOTH are felt from their beginning on, so a window comes into reach when it begins (the first call
+ *   draws two: the one before, too); peaks of the other modes reach back, so it does one window before it begins (the
+ *   first call draws three). Within drawn windows the load depends on the angle
  *   alone, to the last bit: neither on step size, nor on the order of calls, nor on the rates.
  * - So at constant rates every sequence of angles gives the same bits at the same angle. While rates change, two runs
  *   agree to the last bit as long as each window came into reach at the same rates in both; a run with other steps
@@ -50,7 +52,7 @@ extern "C" {
 #endif
 
 /* Grows when a function, a structure or the meaning of one changes. */
-#define BITROCK_RUNTIME_VERSION 1
+#define BITROCK_RUNTIME_VERSION 2
 
 typedef enum {
   BITROCK_OK = 0,
@@ -65,7 +67,8 @@ typedef enum {
   BITROCK_BAD_PREDICTION = 9,    /* the model answered with a number that is not finite: see bitrock_core_fault */
   BITROCK_TIME_NOT_LATER = 10,   /* an accepted step must end after the one before */
   BITROCK_NOTHING_ACCEPTED = 11, /* no step yet, so no averages */
-  BITROCK_BAD_STATE = 12         /* bytes that `save` of a core of the same description did not write */
+  BITROCK_BAD_STATE = 12,        /* bytes that `save` of a core of the same description did not write */
+  BITROCK_NO_MOMENTS = 13        /* BITROCK_MODE_SAWTOOTH with a model of ten outputs */
 } bitrock_status;
 
 /* One cutter a track: each removes the whole advance of one turn on its own ring. */
@@ -83,6 +86,11 @@ enum {
 }; /* heights meet their mean in their bands, or scaled */
 enum { BITROCK_RECTIFIED = 0, BITROCK_SOFTPLUS = 1, BITROCK_LINEAR = 2 }; /* last layer: max(0, x), ln(1 + e^x), x */
 
+/* What the force is rebuilt from. ARTICLE_LITERAL: peaks of five statistics, pulses of one width factor. ARTICLE: the
+ * same; where the model has sixteen outputs, pulses are so wide that the mean of the model is met. SAWTOOTH: events of
+ * mean, standard deviation and correlation length (signal/sawtooth_law.hpp); needs a model of sixteen outputs. */
+enum { BITROCK_MODE_ARTICLE_LITERAL = 0, BITROCK_MODE_ARTICLE = 1, BITROCK_MODE_SAWTOOTH = 2 };
+
 typedef struct {
   double window_angle_rad;   /* theta_T, above 0; pi / 3 is bitrock's default */
   double pulse_width_factor; /* f [1], above 0 and at most 2; 1 is the default */
@@ -90,6 +98,9 @@ typedef struct {
   int32_t amplitude_fit;     /* BITROCK_FIT_... */
   uint64_t seed;             /* of all draws */
   double average_window_s;   /* of `averages`, above 0; 0.1 in the source article */
+  double drop_length_m;      /* delta, above 0 in every mode: a sawtooth falls over this length; 5e-5 is the default */
+  int32_t mode;              /* BITROCK_MODE_... */
+  int32_t reserved;          /* 0; the structure has no bytes without meaning, so its bytes can be compared */
 } bitrock_signal;
 
 /* scaled = (value - offset) / scale, all in the unit of the model file: m/s, mm, deg. */
@@ -112,8 +123,10 @@ typedef struct {
 
 typedef struct {
   bitrock_input inputs[3];    /* cutter speed [m/s], depth of cut [mm], back rake [deg] */
-  bitrock_output outputs[10]; /* amax [N/m], amean [N/m], np1, np23, np4 [1/m of cut]: five of x (cutting direction),
-                                 five of y (axial direction) */
+  bitrock_output outputs[16]; /* amax [N/m], amean [N/m], np1, np23, np4 [1/m of cut]: five of x (cutting direction),
+                                 five of y (axial direction); then, if there are sixteen, mean and standard deviation
+                                 of x, of y [N/m], correlation length [m], correlation of x and y [1] */
+  int32_t output_count;       /* 10 or 16 */
 } bitrock_model;
 
 typedef struct {
@@ -143,6 +156,8 @@ typedef struct {
   int64_t band_left;   /* peaks outside their band (BITROCK_FIT_ARTICLE) */
   int64_t narrowed;    /* those with so few peaks that they do not fill the window: widen it */
   int64_t capped;      /* those for which the model asked for more peaks than a window can hold */
+  int64_t length_clamped;      /* BITROCK_MODE_SAWTOOTH: those whose correlation length the pulses cannot have */
+  int64_t correlation_clamped; /* the same: those whose correlation of x and y is out of reach */
 } bitrock_tally;
 
 typedef struct bitrock_core bitrock_core;
@@ -153,7 +168,8 @@ BITROCK_API int32_t bitrock_runtime_version(void);
 /* A sentence on a status, in English; never null. */
 BITROCK_API const char* bitrock_status_text(bitrock_status status);
 
-/* Checks the description; how much memory its core takes: some 0.3 MB a cutter. */
+/* Checks the description; how much memory its core takes: some 0.04 MB a cutter in BITROCK_MODE_SAWTOOTH,
+ * 0.3 MB in the others. */
 BITROCK_API bitrock_status bitrock_core_size(const bitrock_description* description, size_t* bytes);
 
 /* Makes a core in `memory`, on an address divisible by 16. Copies all it needs out of the description. A core holds no
@@ -190,11 +206,12 @@ BITROCK_API bitrock_status bitrock_core_averages(const bitrock_core* core, doubl
 
 BITROCK_API bitrock_status bitrock_core_tally(const bitrock_core* core, bitrock_tally* tally);
 
-/* After BITROCK_BAD_PREDICTION: the number of the cutter that was asked about, and which output (0..9) answered so. */
+/* After BITROCK_BAD_PREDICTION: the number of the cutter that was asked about, and which output (0..15) answered so. */
 BITROCK_API bitrock_status bitrock_core_fault(const bitrock_core* core, int64_t* cutter_number, int32_t* output);
 
-/* The whole state as bytes: some 13 kB and 0.4 kB a cutter. They may be kept, copied and written to a file, and are
- * good for every core of the same description on a machine of the same byte order; a checksum guards them. */
+/* The whole state as bytes: at most 11 kB, and 0.4 kB in use while nothing was accepted. They may be kept, copied and
+ * written to a file, and are good for every core of the same description on a machine of the same byte order; a
+ * checksum guards them. */
 BITROCK_API bitrock_status bitrock_core_state_size(const bitrock_core* core, size_t* bytes);
 BITROCK_API bitrock_status bitrock_core_save(const bitrock_core* core, void* state, size_t bytes);
 BITROCK_API bitrock_status bitrock_core_restore(bitrock_core* core, const void* state, size_t bytes);

@@ -1,12 +1,14 @@
 #pragma once
-/// What a cutter is asked to cut, and what the model says about it: from the motion of the bit to the five statistics
-/// of both directions. The model is plain numbers here, without names and history, so that it fits into the core.
+/// What a cutter is asked to cut, and what the model says about it: from the motion of the bit to the statistics of
+/// both directions. The model is plain numbers here, without names and history, so that it fits into the core.
 
 #include <array>
 #include <cstdint>
 #include <numbers>
 
+#include "runtime/signal/force_moments.hpp"
 #include "runtime/signal/peak_statistics.hpp"
+#include "runtime/signal/settings.hpp"
 #include "runtime/signal/tallies.hpp"
 #include "surrogate/net/evaluation.hpp"
 
@@ -63,20 +65,31 @@ struct OutputNumbers {
 /// The networks as numbers, without their parameters.
 struct ModelNumbers {
   std::array<InputNumbers, surrogate::input_count> inputs;     ///< in the order of `surrogate::input_names`
-  std::array<OutputNumbers, surrogate::output_count> outputs;  ///< in the order of `surrogate::output_names`
+  std::array<OutputNumbers, surrogate::most_outputs> outputs;  ///< in the order of `surrogate::output_names`
+  int output_count = surrogate::article_output_count;          ///< or `surrogate::most_outputs`
 };
+
+inline bool has_moments(const ModelNumbers& model) {
+  return model.output_count == surrogate::most_outputs;
+}
 
 /// So many cutters are asked about at once: what a vector of any machine takes, and few enough to waste little.
 inline constexpr int asked_together = 4;
 
 /// The model's outputs for the conditions of 1 to `asked_together` cutters, moved to the training range first; what was
-/// moved is counted.
-using Answer = std::array<double, surrogate::output_count>;
+/// moved is counted. Only what the mode needs is asked for: the rest is 0.
+using Answer = std::array<double, surrogate::most_outputs>;
 /// An answer for each of `count` conditions.
-void ask(const ModelNumbers& model, const double* parameters, const surrogate::CutConditions* conditions, int count,
-         Answer* answers, ClampTally& clamps);
+void ask(const ModelNumbers& model, const double* parameters, SignalMode mode,
+         const surrogate::CutConditions* conditions, int count, Answer* answers, ClampTally& clamps);
 
-/// The ten outputs by their names.
-CutterStatistics named(const std::array<double, surrogate::output_count>& outputs);
+/// The ten outputs of the article by their names.
+CutterStatistics named(const Answer& outputs);
+
+/// The same with pulses so wide that the means of the model are met.
+CutterStatistics named_with_means(const Answer& outputs);
+
+/// The six outputs behind the ten.
+ForceMoments moments(const Answer& outputs);
 
 }  // namespace bitrock::runtime

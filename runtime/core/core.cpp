@@ -7,7 +7,7 @@ namespace bitrock::runtime {
 
 namespace {
 
-/// First of the ten numbers that is not finite, or -1.
+/// First of the numbers that is not finite, or -1.
 int first_not_finite(const Answer& answer) {
   for (std::size_t i = 0; i < answer.size(); ++i) {
     if (!std::isfinite(answer[i])) return static_cast<int>(i);
@@ -16,55 +16,84 @@ int first_not_finite(const Answer& answer) {
 }
 
 /// Asks the model about every cutter; nothing is changed when an answer is not finite, but for the fault.
-bitrock_status ask_for_all(Core& core, double rotation, double rate_of_penetration) {
-  ClampTally clamps = core.clamps;
+bitrock_status ask_for_all(Core& core, double rotation, double rate_of_penetration, ClampTally& clamps) {
+  ClampTally counted = clamps;
   std::array<surrogate::CutConditions, asked_together> conditions;
   std::array<Answer, asked_together> answers;
   for (std::int64_t first = 0; first < core.cutter_count; first += asked_together) {
     CoreCutter* const asked = cutters(core) + first;
     const int count = static_cast<int>(std::min<std::int64_t>(asked_together, core.cutter_count - first));
     for (int q = 0; q < count; ++q) {
-      conditions[q] = cut_conditions(asked[q].force.path_radius, asked[q].back_rake, rotation, rate_of_penetration);
+      conditions[q] = cut_conditions(asked[q].path_radius, asked[q].back_rake, rotation, rate_of_penetration);
     }
-    ask(core.model, parameters(core), conditions.data(), count, answers.data(), clamps);
+    ask(core.model, parameters(core), core.signal.mode, conditions.data(), count, answers.data(), counted);
     for (int q = 0; q < count; ++q) {
       asked[q].answer = answers[q];
       if (const int output = first_not_finite(answers[q]); output >= 0) {
-        core.fault_cutter = asked[q].force.cutter;
+        core.fault_cutter = asked[q].number;
         core.fault_output = output;
         return BITROCK_BAD_PREDICTION;
       }
     }
   }
-  core.clamps = clamps;
+  clamps = counted;
   return BITROCK_OK;
+}
+
+/// What the cutter's peaks are drawn with.
+CutterStatistics statistics_of(const Core& core, const CoreCutter& cutter) {
+  const bool with_means = core.signal.mode == SignalMode::article && has_moments(core.model);
+  return with_means ? named_with_means(cutter.answer) : named(cutter.answer);
+}
+
+bool all_kept(const Core& core, std::int64_t window) {
+  for (std::int64_t k = window - 1; k <= window + windows_ahead(core); ++k) {
+    if (core.windows.kept[place_of(k)] != k) return false;
+  }
+  return true;
+}
+
+void draw_laws(Core& core, std::size_t place, bool drills, DrawTally& tally) {
+  for (std::int64_t i = 0; i < core.cutter_count; ++i) {
+    const CoreCutter& cutter = cutters(core)[i];
+    const ForceMoments wanted = drills ? moments(cutter.answer) : ForceMoments{};
+    sawtooth_forces(core)[i].laws[place] = sawtooth_law(wanted, core.signal, cutter.path_radius, tally);
+  }
 }
 
 bitrock_status enter(Core& core, std::int64_t window, double rotation, double rate_of_penetration) {
-  CoreCutter* const first = cutters(core);
   const bool drills = cuts(rate_of_penetration);
-  // all cutters enter the same windows, so what one has drawn all have
-  if (drills && !all_drawn(first->force, window)) {
-    if (const bitrock_status status = ask_for_all(core, rotation, rate_of_penetration); status != BITROCK_OK) {
+  if (drills && !all_kept(core, window)) {
+    if (const bitrock_status status = ask_for_all(core, rotation, rate_of_penetration, core.clamps);
+        status != BITROCK_OK) {
       return status;
     }
   }
-  for (CoreCutter* cutter = first; cutter != first + core.cutter_count; ++cutter) {
-    enter_window(cutter->force, window, drills ? named(cutter->answer) : CutterStatistics{});
+  for (std::int64_t k = window - 1; k <= window + windows_ahead(core); ++k) {
+    const std::size_t place = place_of(k);
+    if (core.windows.kept[place] == k) continue;
+    core.windows.kept[place] = k;
+    core.windows.rotation[place] = rotation;
+    core.windows.rate_of_penetration[place] = rate_of_penetration;
+    if (is_sawtooth(core)) draw_laws(core, place, drills, core.draws);
   }
-  core.window = window;
-  core.window_begin = static_cast<double>(window) * core.signal.window_angle;
-  forget_active(core);
+  for (std::int64_t i = 0; i < core.cutter_count && !is_sawtooth(core); ++i) {
+    enter_window(cutter_forces(core)[i], window, drills ? statistics_of(core, cutters(core)[i]) : CutterStatistics{});
+  }
+  set_window(core, window);
   return BITROCK_OK;
 }
 
-/// Kept out of the loop below, which seldom needs them.
+/// Kept out of the loops below, which seldom need them.
 __attribute__((noinline)) void follow_train(Core& core, std::int64_t i, double angle) {
-  follow(active_cutters(core)[i], cutters(core)[i].force.train, angle);
+  follow(active_cutters(core)[i], cutter_forces(core)[i].train, angle);
 }
 __attribute__((noinline)) BothDirections force_of_many(Core& core, std::int64_t i, double angle) {
-  const ForcePerMetre force = force_at(cutters(core)[i].force.train, core.signal.combine, angle);
+  const ForcePerMetre force = force_at(cutter_forces(core)[i].train, core.signal.combine, angle);
   return BothDirections{force.x, force.y};
+}
+__attribute__((noinline)) void follow_events(Core& core, std::int64_t i, double angle) {
+  follow(sawtooth_forces(core)[i], core.windows.entered, angle, sawtooth_cutters(core)[i].reach);
 }
 
 template <Combine combine>
@@ -87,8 +116,25 @@ BITROCK_INTO_BOTH void sum_of_cutters(Core& core, double angle, bitrock_load& lo
   load = {.axial_force_N = sum[1], .torque_N_m = sum[0]};
 }
 
+BITROCK_INTO_BOTH void sum_of_events(Core& core, double angle, bitrock_load& load) {
+  FourNumbers torque{}, force{};
+  SawtoothCutter* const cutter = sawtooth_cutters(core);
+  const SawtoothForce* const from = sawtooth_forces(core);
+  for (std::int64_t i = 0; i < core.cutter_count; ++i) {
+    if (!(angle > cutter[i].reach.after && angle < cutter[i].reach.until)) follow_events(core, i, angle);
+    FourNumbers x{}, y{};
+    take(from[i].stream.blocks.data(), cutter[i].reach, cutter[i].inverse_drop, angle, x, y);
+    torque += cutter[i].torque_weight * x;
+    force += cutter[i].force_weight * y;
+  }
+  load = {.axial_force_N = (force[0] + force[1]) + (force[2] + force[3]),
+          .torque_N_m = (torque[0] + torque[1]) + (torque[2] + torque[3])};
+}
+
 BITROCK_INTO_BOTH void sum_as_asked(Core& core, double angle, bitrock_load& load) {
-  if (core.signal.combine == Combine::sum) {
+  if (is_sawtooth(core)) {
+    sum_of_events(core, angle, load);
+  } else if (core.signal.combine == Combine::sum) {
     sum_of_cutters<Combine::sum>(core, angle, load);
   } else {
     sum_of_cutters<Combine::max>(core, angle, load);
@@ -115,7 +161,7 @@ bitrock_status update(Core& core, double angle, double rotation, double rate_of_
   if (!(std::fabs(place) < most_windows)) return BITROCK_ANGLE_TOO_LARGE;
   std::int64_t window = static_cast<std::int64_t>(place);  // towards 0; the next line makes it the floor
   if (static_cast<double>(window) > place) --window;
-  if (window != core.window) {
+  if (window != core.windows.entered) {
     if (const bitrock_status status = enter(core, window, rotation, rate_of_penetration); status != BITROCK_OK) {
       return status;
     }
@@ -132,11 +178,62 @@ bitrock_status update(Core& core, double angle, double rotation, double rate_of_
   return BITROCK_OK;
 }
 
-void forget_active(Core& core) {
+void set_window(Core& core, std::int64_t window) {
+  core.windows.entered = window;
+  core.window_begin = window == no_window ? 0.0 : static_cast<double>(window) * core.signal.window_angle;
   for (std::int64_t i = 0; i < core.cutter_count; ++i) {
-    ActiveCutter& cutter = active_cutters(core)[i];
-    cutter.until = cutter.after;
+    if (is_sawtooth(core)) {
+      sawtooth_cutters(core)[i].reach = {};
+    } else {
+      ActiveCutter& cutter = active_cutters(core)[i];
+      cutter.until = cutter.after;
+    }
   }
+}
+
+bool go_to(Core& core, const WindowMemory& windows) {
+  const WindowMemory before = core.windows;
+  std::array<std::size_t, windows_kept> changed{};
+  std::size_t count = 0;
+  for (std::size_t place = 0; place < windows_kept; ++place) {
+    const bool same = windows.kept[place] == before.kept[place] && windows.rotation[place] == before.rotation[place] &&
+                      windows.rate_of_penetration[place] == before.rate_of_penetration[place];
+    if (!same) changed[count++] = place;
+  }
+  if (count == 0 && windows.entered == before.entered) return true;  // what is felt is right, too
+  ClampTally none;
+  const auto asked = [&](std::size_t place) {
+    return !cuts(windows.rate_of_penetration[place]) ||
+           ask_for_all(core, windows.rotation[place], windows.rate_of_penetration[place], none) == BITROCK_OK;
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!asked(changed[i])) return false;
+  }
+  core.windows = windows;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t place = changed[i];
+    if (count > 1 && !asked(place)) return false;  // it answered above
+    const bool drills = cuts(windows.rate_of_penetration[place]);
+    DrawTally counted_before;
+    if (is_sawtooth(core)) draw_laws(core, place, drills, counted_before);
+    for (std::int64_t k = 0; k < core.cutter_count && !is_sawtooth(core); ++k) {
+      CutterMemory memory = cutter_forces(core)[k].memory;
+      memory.kept[place] = windows.kept[place];
+      memory.statistics[place] = latched(drills ? statistics_of(core, cutters(core)[k]) : CutterStatistics{});
+      restore(cutter_forces(core)[k], memory);
+    }
+  }
+  for (std::int64_t k = 0; k < core.cutter_count; ++k) {
+    if (is_sawtooth(core)) {
+      if (count > 0) forget(sawtooth_forces(core)[k]);
+    } else {
+      CutterMemory memory = cutter_forces(core)[k].memory;
+      memory.entered = windows.entered;
+      restore(cutter_forces(core)[k], memory);
+    }
+  }
+  set_window(core, windows.entered);
+  return true;
 }
 
 bool has_wide_vectors() {
@@ -149,9 +246,15 @@ bool has_wide_vectors() {
 }
 
 DrawTally draws(const Core& core) {
-  DrawTally sum;
-  for (std::int64_t i = 0; i < core.cutter_count; ++i) sum.add(cutters(core)[i].force.memory.tally);
+  DrawTally sum = core.draws;
+  for (std::int64_t i = 0; i < core.cutter_count && !is_sawtooth(core); ++i)
+    sum.add(cutter_forces(core)[i].memory.tally);
   return sum;
+}
+
+void set_draws(Core& core, const DrawTally& draws) {
+  core.draws = draws;
+  for (std::int64_t i = 0; i < core.cutter_count && !is_sawtooth(core); ++i) cutter_forces(core)[i].memory.tally = {};
 }
 
 }  // namespace bitrock::runtime

@@ -11,21 +11,31 @@
 #include "runtime/core/conditions.hpp"
 #include "runtime/laws/moving_average.hpp"
 #include "runtime/signal/cutter_force.hpp"
+#include "runtime/signal/sawtooth_force.hpp"
 
 namespace bitrock::runtime {
 
 inline constexpr double most_windows = 1e15;  ///< every window number below it is an exact double
 inline constexpr std::uint64_t core_magic = 0x62697472'6f636b31ULL;  ///< "bitrock1"
 
-struct CoreCutter {
-  double width = 0.0;      ///< [m]
-  double back_rake = 0.0;  ///< [rad]
-  Answer answer{};         ///< of the model, while a window is entered
-  CutterForce force;       ///< its windows and pulses
+struct alignas(16) CoreCutter {
+  int number = 0;            ///< on the bit
+  double path_radius = 0.0;  ///< [m]
+  double back_rake = 0.0;    ///< [rad]
+  Answer answer{};           ///< of the model, while a window is entered
 };
 
-/// What a core is, then what it knows, then how far it is. Behind it in memory: `cutter_count` active cutters, as many
-/// cutters, then the parameters of the networks.
+/// A cutter of the mode of events, as far as it is looked at each time.
+struct alignas(16) SawtoothCutter {
+  SawtoothReach reach;
+  double inverse_drop = 0.0;   ///< [1/rad]
+  double torque_weight = 0.0;  ///< [m2] width times arm
+  double force_weight = 0.0;   ///< [m] width
+};
+
+/// What a core is, then what it knows, then how far it is. Behind it in memory: `cutter_count` cutters; as many of what
+/// their mode looks at each time, `ActiveCutter` or `SawtoothCutter`; as many of what that is taken from, `CutterForce`
+/// or `SawtoothForce`; then the parameters of the networks.
 struct alignas(16) Core {
   std::uint64_t magic = 0;           ///< `core_magic`
   std::uint64_t fingerprint = 0;     ///< of the description: states belong to it
@@ -37,8 +47,9 @@ struct alignas(16) Core {
   ModelNumbers model;           ///< the networks
   double average_window = 0.0;  ///< [s]
 
-  std::int64_t window = no_window;    ///< entered last
-  double window_begin = 0.0;          ///< [rad]
+  WindowMemory windows;               ///< drawn so far
+  double window_begin = 0.0;          ///< [rad] of the window entered last
+  DrawTally draws;                    ///< besides what the cutters of the modes of peaks have counted
   ClampTally clamps;                  ///< questions so far
   MovingAverage rotation;             ///< [rad/s]
   MovingAverage rate_of_penetration;  ///< [m/s]
@@ -47,21 +58,32 @@ struct alignas(16) Core {
   std::int32_t fault_output = 0;  ///< output of the first fault, where there was one
 };
 
-/// What is under way on each cutter.
-inline ActiveCutter* active_cutters(Core& core) {
-  return reinterpret_cast<ActiveCutter*>(&core + 1);
+inline bool is_sawtooth(const Core& core) {
+  return core.signal.mode == SignalMode::sawtooth;
 }
-/// Behind the core in memory.
+
 inline CoreCutter* cutters(Core& core) {
-  return reinterpret_cast<CoreCutter*>(active_cutters(core) + core.cutter_count);
+  return reinterpret_cast<CoreCutter*>(&core + 1);
 }
-/// Behind the core in memory.
-inline const CoreCutter* cutters(const Core& core) {
-  return cutters(const_cast<Core&>(core));
+inline ActiveCutter* active_cutters(Core& core) {
+  return reinterpret_cast<ActiveCutter*>(cutters(core) + core.cutter_count);
+}
+inline CutterForce* cutter_forces(Core& core) {
+  return reinterpret_cast<CutterForce*>(active_cutters(core) + core.cutter_count);
+}
+inline const CutterForce* cutter_forces(const Core& core) {
+  return cutter_forces(const_cast<Core&>(core));
+}
+inline SawtoothCutter* sawtooth_cutters(Core& core) {
+  return reinterpret_cast<SawtoothCutter*>(cutters(core) + core.cutter_count);
+}
+inline SawtoothForce* sawtooth_forces(Core& core) {
+  return reinterpret_cast<SawtoothForce*>(sawtooth_cutters(core) + core.cutter_count);
 }
 /// Behind the cutters in memory.
 inline double* parameters(Core& core) {
-  return reinterpret_cast<double*>(cutters(core) + core.cutter_count);
+  return is_sawtooth(core) ? reinterpret_cast<double*>(sawtooth_forces(core) + core.cutter_count)
+                           : reinterpret_cast<double*>(cutter_forces(core) + core.cutter_count);
 }
 
 /// Everything that can be wrong with a description. Sets the parameters its networks have.
@@ -76,29 +98,40 @@ std::size_t core_bytes(const bitrock_description& description, std::int64_t para
 /// `memory` holds `core_bytes` and the description has passed `check`.
 Core* make_core(void* memory, const bitrock_description& description, std::int64_t parameter_count);
 
-/// Nothing that was felt is right any more: windows have been entered or restored.
-void forget_active(Core& core);
+/// The angles that follow lie in this window, and nothing that was felt is right any more.
+void set_window(Core& core, std::int64_t window);
 
 /// Back to the beginning: nothing drawn, nothing counted, nothing averaged.
 void reset(Core& core);
 
 /// **What** Load on the bit.
 /// **Equation** W(theta) = sum_i F_y,i(theta) w_i; T(theta) = sum_i F_x,i(theta) w_i r_i, i in the order of the bit.
-/// **Symbols** F_x,i, F_y,i [N/m] force on cutter i per metre of width (`cutter_force.hpp`); w_i [m]; r_i [m].
+/// **Symbols** F_x,i, F_y,i [N/m] force on cutter i per metre of width (`cutter_force.hpp`, `sawtooth_force.hpp`); w_i
+/// [m]; r_i [m].
 /// **Source** [BitRock2026, sec. 3.3]: superposition and arm. The width is ours: the article does not say how
 /// the force of a two-dimensional simulation, which is per metre of thickness, becomes a force.
 /// **Differences and validity** Cutters do not feel each other. Without friction under worn cutters the mean torque of
 /// a bit whose rings cover the face, each resisted by eps w d, is eps a^2 d / 2 [DetournayDefourny1992]. Conditions are
-/// asked for when the angle enters a window and hold for the window after it (see `enter_window`). ROP not above
-/// `slowest_advance` means nothing is cut: windows drawn then are empty. Any other ROP, however small, is clamped to
-/// the shallowest cut the network knows, so the force does not vanish with the depth.
+/// asked for when the angle enters a window and hold for the window after it (peaks, see `enter_window`) or for this
+/// one (events). ROP not above `slowest_advance` means nothing is cut: windows drawn then are empty. Any other ROP,
+/// however small, is clamped to the shallowest cut the network knows, so the force does not vanish with the depth.
 bitrock_status update(Core& core, double angle, double rotation, double rate_of_penetration, bitrock_load& load);
 
 /// Vectors of four numbers; with two the bits are the same.
 bool has_wide_vectors();
 
-/// Sum over the cutters.
+/// Comes back to these windows: what is kept otherwise is drawn again, as at the motion when it was drawn first. False,
+/// and nothing changed, when the model has no finite answer for one.
+bool go_to(Core& core, const WindowMemory& windows);
+
+/// Sum over the cutters, and back into one.
 DrawTally draws(const Core& core);
+void set_draws(Core& core, const DrawTally& draws);
+
+/// Windows that can be felt in window k: from k - 1 to k + this.
+inline std::int64_t windows_ahead(const Core& core) {
+  return is_sawtooth(core) ? 0 : 1;  // events do not reach back
+}
 
 /// That its state needs.
 std::size_t state_bytes(const Core& core);

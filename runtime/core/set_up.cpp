@@ -21,7 +21,8 @@ bool positive(double value) {
 bitrock_status check_signal(const bitrock_signal& signal) {
   const bool fits =
       positive(signal.window_angle_rad) && positive(signal.pulse_width_factor) && signal.pulse_width_factor <= 2.0 &&
-      positive(signal.average_window_s) &&
+      positive(signal.average_window_s) && positive(signal.drop_length_m) &&
+      signal.mode >= BITROCK_MODE_ARTICLE_LITERAL && signal.mode <= BITROCK_MODE_SAWTOOTH &&
       (signal.combine == BITROCK_COMBINE_SUM || signal.combine == BITROCK_COMBINE_MAX) &&
       (signal.amplitude_fit == BITROCK_FIT_BAND_PRESERVING || signal.amplitude_fit == BITROCK_FIT_ARTICLE);
   return fits ? BITROCK_OK : BITROCK_BAD_SIGNAL;
@@ -76,9 +77,8 @@ struct Fingerprint {
   void add(double value) { add(__builtin_bit_cast(std::uint64_t, value)); }
 };
 
-void take_cutter(CoreCutter& cutter, const bitrock_cutter& from, const SignalSettings& signal, Fingerprint& print) {
-  cutter.back_rake = from.back_rake_rad;
-  set_up(cutter.force, signal, static_cast<int>(from.number), from.radius_m);
+void take_cutter(CoreCutter& cutter, const bitrock_cutter& from, Fingerprint& print) {
+  cutter = {.number = static_cast<int>(from.number), .path_radius = from.radius_m, .back_rake = from.back_rake_rad};
   print.add(from.radius_m);
   print.add(from.width_m);
   print.add(from.back_rake_rad);
@@ -111,15 +111,26 @@ void take_output(OutputNumbers& output, const bitrock_output& from, std::int64_t
   }
 }
 
+SignalMode mode_of(std::int32_t mode) {
+  if (mode == BITROCK_MODE_SAWTOOTH) return SignalMode::sawtooth;
+  return mode == BITROCK_MODE_ARTICLE ? SignalMode::article : SignalMode::article_literal;
+}
+
 void take_signal(Core& core, const bitrock_signal& from, Fingerprint& print) {
-  core.signal = {.window_angle = from.window_angle_rad,
+  core.signal = {.mode = mode_of(from.mode),
+                 .window_angle = from.window_angle_rad,
                  .pulse_width_factor = from.pulse_width_factor,
                  .combine = from.combine == BITROCK_COMBINE_MAX ? Combine::max : Combine::sum,
                  .amplitude_fit =
                      from.amplitude_fit == BITROCK_FIT_ARTICLE ? AmplitudeFit::article : AmplitudeFit::band_preserving,
+                 .drop_length = from.drop_length_m,
                  .seed = from.seed};
   core.average_window = from.average_window_s;
-  for (const double number : {from.window_angle_rad, from.pulse_width_factor, from.average_window_s}) print.add(number);
+  for (const double number :
+       {from.window_angle_rad, from.pulse_width_factor, from.average_window_s, from.drop_length_m}) {
+    print.add(number);
+  }
+  print.add(static_cast<std::uint64_t>(from.mode));
   print.add(static_cast<std::uint64_t>(from.combine));
   print.add(static_cast<std::uint64_t>(from.amplitude_fit));
   print.add(from.seed);
@@ -137,20 +148,29 @@ bitrock_status check(const bitrock_description& description, std::int64_t& param
   for (const bitrock_input& input : description.model.inputs) {
     if (!usable(input)) return BITROCK_BAD_MODEL;
   }
-  for (const bitrock_output& output : description.model.outputs) {
+  const std::int32_t outputs = description.model.output_count;
+  if (outputs != surrogate::article_output_count && outputs != surrogate::most_outputs) return BITROCK_BAD_MODEL;
+  if (outputs == surrogate::article_output_count && description.signal.mode == BITROCK_MODE_SAWTOOTH)
+    return BITROCK_NO_MOMENTS;
+  for (std::int32_t i = 0; i < outputs; ++i) {
+    const bitrock_output& output = description.model.outputs[i];
     if (const bitrock_status status = check_output(output, parameter_count); status != BITROCK_OK) return status;
   }
   return BITROCK_OK;
 }
 
 std::size_t core_bytes(const bitrock_description& description, std::int64_t parameter_count) {
-  return sizeof(Core) +
-         static_cast<std::size_t>(description.cutter_count) * (sizeof(ActiveCutter) + sizeof(CoreCutter)) +
+  const std::size_t of_mode = description.signal.mode == BITROCK_MODE_SAWTOOTH
+                                  ? sizeof(SawtoothCutter) + sizeof(SawtoothForce)
+                                  : sizeof(ActiveCutter) + sizeof(CutterForce);
+  return sizeof(Core) + static_cast<std::size_t>(description.cutter_count) * (sizeof(CoreCutter) + of_mode) +
          static_cast<std::size_t>(parameter_count) * sizeof(double);
 }
 
 Core* make_core(void* memory, const bitrock_description& description, std::int64_t parameter_count) {
-  static_assert(sizeof(Core) % core_alignment == 0 && alignof(ActiveCutter) == core_alignment);
+  static_assert(sizeof(Core) % core_alignment == 0 && sizeof(CoreCutter) % core_alignment == 0 &&
+                sizeof(SawtoothCutter) % core_alignment == 0 && alignof(ActiveCutter) == core_alignment &&
+                alignof(SawtoothForce) == core_alignment);
   Core& core = *new (memory) Core;
   core.cutter_count = description.cutter_count;
   core.parameter_count = parameter_count;
@@ -159,15 +179,26 @@ Core* make_core(void* memory, const bitrock_description& description, std::int64
   take_signal(core, description.signal, print);
   for (std::int64_t i = 0; i < core.cutter_count; ++i) {
     const bitrock_cutter& cutter = description.cutters[i];
-    (new (active_cutters(core) + i) ActiveCutter)->weight =
-        BothDirections{cutter.width_m * cutter.radius_m, cutter.width_m};
-    take_cutter(*new (cutters(core) + i) CoreCutter, cutter, core.signal, print);
+    take_cutter(*new (cutters(core) + i) CoreCutter, cutter, print);
+    const int number = static_cast<int>(cutter.number);
+    if (is_sawtooth(core)) {
+      set_up(*new (sawtooth_forces(core) + i) SawtoothForce, core.signal, number, cutter.radius_m, core.wide);
+      SawtoothCutter& active = *new (sawtooth_cutters(core) + i) SawtoothCutter;
+      active.inverse_drop = 1.0 / drop_angle(core.signal, cutter.radius_m);
+      active.torque_weight = cutter.width_m * cutter.radius_m;
+      active.force_weight = cutter.width_m;
+    } else {
+      set_up(*new (cutter_forces(core) + i) CutterForce, core.signal, number, cutter.radius_m);
+      (new (active_cutters(core) + i) ActiveCutter)->weight =
+          BothDirections{cutter.width_m * cutter.radius_m, cutter.width_m};
+    }
   }
   for (std::size_t i = 0; i < core.model.inputs.size(); ++i) {
     take_input(core.model.inputs[i], description.model.inputs[i], print);
   }
   std::int64_t first = 0;
-  for (std::size_t i = 0; i < core.model.outputs.size(); ++i) {
+  core.model.output_count = description.model.output_count;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(core.model.output_count); ++i) {
     take_output(core.model.outputs[i], description.model.outputs[i], first, parameters(core), print);
     first += bitrock::runtime::parameter_count(description.model.outputs[i]);
   }
@@ -179,15 +210,20 @@ Core* make_core(void* memory, const bitrock_description& description, std::int64
 
 void reset(Core& core) {
   for (std::int64_t i = 0; i < core.cutter_count; ++i) {
-    CutterForce& force = cutters(core)[i].force;
-    set_up(force, force.settings, force.cutter, force.path_radius);
+    if (is_sawtooth(core)) {
+      forget(sawtooth_forces(core)[i]);
+    } else {
+      CutterForce& force = cutter_forces(core)[i];
+      set_up(force, force.settings, force.cutter, force.path_radius);
+    }
   }
-  core.window = no_window;
-  core.window_begin = 0.0;
+  core.windows = {};
+  core.windows.kept.fill(no_window);
+  core.draws = {};
+  set_window(core, no_window);
   core.clamps = {};
   core.rotation = {.window = core.average_window};
   core.rate_of_penetration = {.window = core.average_window};
-  forget_active(core);
   core.fault_cutter = 0;
   core.fault_output = 0;
 }

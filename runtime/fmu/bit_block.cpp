@@ -56,6 +56,8 @@ void read_signal(Words& words, BitBlock& block) {
   words.read(signal.combine);
   words.read(signal.amplitude_fit);
   words.read(signal.seed);
+  words.read(signal.drop_length_m);
+  words.read(signal.mode);
 }
 
 void read_cutters(Words& words, BitBlock& block) {
@@ -115,7 +117,9 @@ const char* read_bit_block(const void* bytes, std::size_t size, BitBlock& block)
     words.read(input.offset);
     words.read(input.scale);
   }
-  for (std::size_t i = 0; i < block.layers.size() && !words.exhausted; ++i)
+  words.read(model.output_count);
+  const auto outputs = static_cast<std::size_t>(model.output_count < 0 ? 0 : model.output_count);
+  for (std::size_t i = 0; i < outputs && i < block.layers.size() && !words.exhausted; ++i)
     read_output(words, model.outputs[i], block.layers[i]);
   if (words.exhausted || words.at != words.end) return "its parts do not add up";
   if (!(std::isfinite(block.threshold_weight) && block.threshold_weight >= 0.0))

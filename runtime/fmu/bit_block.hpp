@@ -7,11 +7,12 @@
 ///     words      what
 ///     4          magic, format version, size [bytes], checksum: `base::fingerprint` of all that follows it
 ///     5          guid of the FMU: characters, then zeros
-///     7          window angle [rad], pulse width factor, averaging time [s], threshold weight [N], combine,
-///                amplitude fit, seed
+///     9          window angle [rad], pulse width factor, averaging time [s], threshold weight [N], combine,
+///                amplitude fit, seed, drop length [m], mode
 ///     1 + 4 n    number of cutters n; for each: radius [m], width [m], back rake [rad], number
 ///     3 x 4      inputs of the model: low, high, offset, scale
-///     10 x       outputs: offset, scale, log_reference, activation, layer count, layers, then weights and biases
+///     1          number of outputs m
+///     m x        outputs: offset, scale, log_reference, activation, layer count, layers, then weights and biases
 // clang-format on
 ///
 /// Symbols as in `bitrock_runtime.h`. A whole number is a word of its own; a real one is a double.
@@ -24,7 +25,7 @@
 namespace bitrock::fmu {
 
 inline constexpr std::uint64_t block_magic = 0x6b636f6c42746942ULL;    ///< "BitBlock"
-inline constexpr std::uint64_t block_version = 1;                      ///< of the bytes
+inline constexpr std::uint64_t block_version = 2;                      ///< of the bytes
 inline constexpr std::size_t block_checked_from = 32;                  ///< [bytes]
 inline constexpr std::size_t guid_bytes = 40;                          ///< with at least one 0 at the end
 inline constexpr std::size_t most_block_bytes = std::size_t{1} << 26;  ///< 64 MB: far above any bit, far below memory
@@ -35,7 +36,7 @@ struct BitBlock {
   std::array<char, guid_bytes> guid{};
   double threshold_weight = 0.0;                          ///< [N]
   bitrock_description description{};                      ///< points into the bytes
-  std::array<std::array<std::int32_t, 16>, 10> layers{};  ///< nodes of the layers of each network
+  std::array<std::array<std::int32_t, 16>, 16> layers{};  ///< of each output
 };
 
 /// Reads `bytes`, on an address divisible by 8. Null when they are whole and describe a core that can be made;

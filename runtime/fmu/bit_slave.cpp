@@ -29,7 +29,7 @@ bitrock_description description_with(const Slave& slave, const bitrock_signal& s
 bool same(const bitrock_signal& a, const bitrock_signal& b) {
   return std::memcmp(&a, &b, sizeof(a)) == 0;
 }
-static_assert(std::has_unique_object_representations_v<Phase> && sizeof(bitrock_signal) == 5 * 8, "no bytes between");
+static_assert(std::has_unique_object_representations_v<Phase> && sizeof(bitrock_signal) == 7 * 8, "no bytes between");
 
 /// A core in memory of its own; null when there is none to be had.
 bitrock_core* new_core(const Slave& slave, const bitrock_signal& signal, bitrock_status& status) {

@@ -331,6 +331,7 @@ FMI2_FUNCTION fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate* 
   if (saved == nullptr || saved->size != size) {
     saved = static_cast<SavedState*>(std::realloc(saved, sizeof(SavedState) + size));
     if (saved == nullptr) return fail(at(component), "fmi2GetFMUstate", "no memory");
+    std::memset(saved->bytes(), 0, size);  // a core says nothing of the bytes it does not use
     saved->size = size;
     *state = saved;
   }

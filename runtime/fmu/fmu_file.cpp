@@ -68,7 +68,7 @@ std::string bit_block(const bitrock_description& description, double threshold_w
   body.resize(guid_bytes, '\0');
   const bitrock_signal& signal = description.signal;
   put_all(body, signal.window_angle_rad, signal.pulse_width_factor, signal.average_window_s, threshold_weight,
-          signal.combine, signal.amplitude_fit, signal.seed);
+          signal.combine, signal.amplitude_fit, signal.seed, signal.drop_length_m, signal.mode);
   put(body, description.cutter_count);
   for (std::int64_t i = 0; i < description.cutter_count; ++i) {
     const bitrock_cutter& cutter = description.cutters[i];
@@ -76,7 +76,8 @@ std::string bit_block(const bitrock_description& description, double threshold_w
   }
   for (const bitrock_input& input : description.model.inputs)
     put_all(body, input.low, input.high, input.offset, input.scale);
-  for (const bitrock_output& output : description.model.outputs) put_output(body, output);
+  put(body, description.model.output_count);
+  for (std::int32_t i = 0; i < description.model.output_count; ++i) put_output(body, description.model.outputs[i]);
   std::string block;
   put_all(block, block_magic, block_version, std::uint64_t{block_checked_from + body.size()}, base::fingerprint(body));
   return block + body;

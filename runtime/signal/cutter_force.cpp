@@ -4,12 +4,7 @@ namespace bitrock::runtime {
 
 namespace {
 
-static_assert((windows_kept & (windows_kept - 1)) == 0, "place_of masks");
 static_assert(most_pulses <= std::numeric_limits<std::uint16_t>::max(), "places of active pulses");
-
-std::size_t place_of(std::int64_t window) {
-  return static_cast<std::size_t>(window & (windows_kept - 1));
-}
 
 void count(DrawTally& tally, const ComponentDraw& drawn) {
   tally.drawn += drawn.counts.total() > 0 ? 1 : 0;
@@ -43,6 +38,8 @@ void DrawTally::add(const DrawTally& other) {
   band_left += other.band_left;
   narrowed += other.narrowed;
   capped += other.capped;
+  length_clamped += other.length_clamped;
+  correlation_clamped += other.correlation_clamped;
 }
 
 void set_up(CutterForce& force, const SignalSettings& settings, int cutter, double path_radius) {
@@ -56,20 +53,19 @@ void set_up(CutterForce& force, const SignalSettings& settings, int cutter, doub
   restart(force.train);
 }
 
-bool all_drawn(const CutterForce& cutter, std::int64_t window) {
-  for (std::int64_t k = window - 1; k <= window + 1; ++k) {
-    if (cutter.memory.kept[place_of(k)] != k) return false;
-  }
-  return true;
+CutterStatistics latched(const CutterStatistics& statistics) {
+  return {.x = usable(statistics.x),
+          .y = usable(statistics.y),
+          .x_width = statistics.x_width,
+          .y_width = statistics.y_width};
 }
 
 void enter_window(CutterForce& cutter, std::int64_t window, const CutterStatistics& statistics) {
-  const CutterStatistics latched{.x = usable(statistics.x), .y = usable(statistics.y)};
   for (std::int64_t k = window - 1; k <= window + 1; ++k) {
     const std::size_t place = place_of(k);
     if (cutter.memory.kept[place] == k) continue;
     cutter.memory.kept[place] = k;
-    cutter.memory.statistics[place] = latched;
+    cutter.memory.statistics[place] = latched(statistics);
     draw_place(cutter, place);
     count(cutter.memory.tally, cutter.windows[place].x);
     count(cutter.memory.tally, cutter.windows[place].y);

@@ -6,18 +6,12 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 
 #include "runtime/signal/peak_window.hpp"
 #include "runtime/signal/tallies.hpp"
+#include "runtime/signal/window_memory.hpp"
 
 namespace bitrock::runtime {
-
-/// Windows k-1, k and k+1 can be felt in window k; the fourth place keeps k-2, so that a solver which takes back a step
-/// over an edge finds what it left.
-inline constexpr int windows_kept = 4;
-
-inline constexpr std::int64_t no_window = std::numeric_limits<std::int64_t>::min();  ///< before the first
 
 /// All that a cutter remembers. What it has drawn follows from this and its settings, so a copy of this much is enough
 /// to come back to a moment.
@@ -41,8 +35,8 @@ struct CutterForce {
 /// A cutter that has not entered a window.
 void set_up(CutterForce& force, const SignalSettings& settings, int cutter, double path_radius);
 
-/// Windows k-1, k and k+1 are drawn: entering k will not ask for statistics.
-bool all_drawn(const CutterForce& cutter, std::int64_t window);
+/// The statistics as a window is drawn with them.
+CutterStatistics latched(const CutterStatistics& statistics);
 
 /// **What** Draws those of the windows k-1, k, k+1 that are not there yet.
 /// **Differences and validity** Statistics are latched: a window is drawn once, with the statistics of the moment when

@@ -8,14 +8,17 @@ namespace bitrock::runtime {
 
 namespace {
 
-ComponentDraw draw_component(PeakWindow& window, const peaks::PeakRates& statistics, double Peak::*component,
-                             double path_radius, const SignalSettings& settings, const WindowKey& key) {
+ComponentDraw draw_component(PeakWindow& window, const peaks::PeakRates& statistics, double width,
+                             double Peak::*component, double path_radius, const SignalSettings& settings,
+                             const WindowKey& key) {
   ComponentDraw drawn;
   drawn.counts = count_peaks(statistics, path_radius * settings.window_angle, key);
   const auto count = static_cast<std::size_t>(drawn.counts.total());
+  const double factor = width < 0.0 ? settings.pulse_width_factor : width;
   if (count == 0) return drawn;
+  if (factor == 0.0) return {};  // a component without force
 
-  const double half_width = settings.pulse_width_factor * settings.window_angle / (2.0 * drawn.counts.expected());
+  const double half_width = factor * settings.window_angle / (2.0 * drawn.counts.expected());
   drawn.narrowed = half_width > settings.window_angle;
   drawn.half_width = std::min(half_width, settings.window_angle);
   std::array<double, largest_peak_count> heights;  // [N/m]
@@ -30,8 +33,8 @@ ComponentDraw draw_component(PeakWindow& window, const peaks::PeakRates& statist
 void draw_window(PeakWindow& window, const CutterStatistics& statistics, double path_radius,
                  const SignalSettings& settings, const WindowKey& key) {
   window.peaks.clear();
-  window.x = draw_component(window, statistics.x, &Peak::x, path_radius, settings, key);
-  window.y = draw_component(window, statistics.y, &Peak::y, path_radius, settings, key);
+  window.x = draw_component(window, statistics.x, statistics.x_width, &Peak::x, path_radius, settings, key);
+  window.y = draw_component(window, statistics.y, statistics.y_width, &Peak::y, path_radius, settings, key);
   for (std::size_t i = 0; i < window.peaks.size(); ++i) {
     window.peaks[i].angle = settings.window_angle * draw(key, static_cast<int>(i), DrawStream::angle);
   }

@@ -17,12 +17,25 @@ enum class AmplitudeFit {
   article,          ///< the printed scaling, which may leave bands, exceed amax or turn negative
 };
 
+/// What a force is rebuilt by.
+enum class SignalMode {
+  automatic,        ///< sawtooth when the model can, else article
+  article,          ///< peaks of five statistics; where the model knows the mean, pulses so wide that it is met
+  article_literal,  ///< the same, pulses of one width factor
+  sawtooth,         ///< events of mean, standard deviation and correlation length; see `sawtooth_law.hpp`
+};
+
+/// A tenth of a grain of 0.5 mm.
+inline constexpr double default_drop_length = 0.05e-3;  ///< [m]
+
 struct SignalSettings {
+  SignalMode mode = SignalMode::automatic;
   double window_angle = 0.0;        ///< [rad] theta_T, above 0
   double pulse_width_factor = 1.0;  ///< [1] f, above 0 and at most 2: pulses reach no further than one window away
   Combine combine = Combine::sum;   ///< of overlapping pulses
   AmplitudeFit amplitude_fit = AmplitudeFit::band_preserving;  ///< of the heights to their mean
-  std::uint64_t seed = 0;                                      ///< of all draws
+  double drop_length = default_drop_length;  ///< [m] delta, above 0: a sawtooth falls over this length
+  std::uint64_t seed = 0;                    ///< of all draws
 };
 
 }  // namespace bitrock::runtime

@@ -61,15 +61,20 @@ std::string network(std::string_view name, const bitrock_output& output, std::sp
   return text + "};\n";
 }
 
+const char* mode(std::int32_t number) {
+  constexpr const char* names[] = {"BITROCK_MODE_ARTICLE_LITERAL", "BITROCK_MODE_ARTICLE", "BITROCK_MODE_SAWTOOTH"};
+  return names[number];
+}
+
 std::string signal(const bitrock_signal& signal) {
   return fmt::format(
-      "  /* window [rad], pulse width factor [1], how pulses combine, how heights are fitted, seed, averages over [s] "
-      "*/\n"
-      "  {{{}, {}, {}, {}, UINT64_C({}), {}}},\n",
+      "  /* window [rad], pulse width factor [1], how pulses combine, how heights are fitted, seed, averages over [s], "
+      "drop length [m], mode */\n"
+      "  {{{}, {}, {}, {}, UINT64_C({}), {}, {}, {}, 0}},\n",
       number_text(signal.window_angle_rad), number_text(signal.pulse_width_factor),
       signal.combine == BITROCK_COMBINE_MAX ? "BITROCK_COMBINE_MAX" : "BITROCK_COMBINE_SUM",
       signal.amplitude_fit == BITROCK_FIT_ARTICLE ? "BITROCK_FIT_ARTICLE" : "BITROCK_FIT_BAND_PRESERVING", signal.seed,
-      number_text(signal.average_window_s));
+      number_text(signal.average_window_s), number_text(signal.drop_length_m), mode(signal.mode));
 }
 
 const char* activation(std::int32_t number) {
@@ -82,13 +87,13 @@ std::string inputs_and_outputs(const bitrock_model& model) {
   for (const bitrock_input& input : model.inputs)
     text += fmt::format("    {{{}}},\n", row({input.low, input.high, input.offset, input.scale}));
   text += "  }, { /* offset, scale, log reference, network */\n";
-  for (std::size_t i = 0; i < surrogate::output_names.size(); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.output_count); ++i) {
     const bitrock_output& output = model.outputs[i];
     text += fmt::format("    {{{}, PREFIX_{}_parameters,\n     PREFIX_{}_layers, {}, {}}},\n",
                         row({output.offset, output.scale, output.log_reference}), surrogate::output_names[i].name,
                         surrogate::output_names[i].name, output.layer_count, activation(output.output_activation));
   }
-  return text + "  }},\n";
+  return text + fmt::format("  }}, {}}},\n", model.output_count);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t longest_prefix = 23;
 
 constexpr std::string_view what_it_does = R"c( *
- * One condition a call: 3 numbers in, 10 out, whatever else the arrays hold. For many, call it once for each, with
- * conditions + 3 i and statistics + 10 i.
+ * One condition a call: 3 numbers in, OUTPUTS out, whatever else the arrays hold. For many, call it once for each, with
+ * conditions + 3 i and statistics + OUTPUTS i.
  *
  * It answers 1 inside the training range of the conditions, and 0 outside, where it extrapolates. Not-a-number in
  * gives not-a-number out. x is the cutting direction, along the rock surface; y is the axial direction, out of the
@@ -40,7 +40,7 @@ constexpr std::string_view declarations = R"c( */
 #ifdef __cplusplus
 extern "C" {
 #endif
-int PREFIX_predict(const double conditions[3], double statistics[10]);
+int PREFIX_predict(const double conditions[3], double statistics[OUTPUTS]);
 #ifdef __cplusplus
 }
 #endif
@@ -106,7 +106,7 @@ static double PREFIX_forward(const PREFIX_network* network, const double scaled[
   return from[0];
 }
 
-int PREFIX_predict(const double conditions[3], double statistics[10]) {
+int PREFIX_predict(const double conditions[3], double statistics[OUTPUTS]) {
   double scaled[3];
   int inside = 1;
   for (int i = 0; i < 3; ++i) {
@@ -115,7 +115,7 @@ int PREFIX_predict(const double conditions[3], double statistics[10]) {
     scaled[i] = (value - input->offset) / input->scale;
     if (!(value >= input->low && value <= input->high)) inside = 0;
   }
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < OUTPUTS; ++i) {
     const PREFIX_network* network = &PREFIX_networks[i];
     double value = network->offset + network->scale * PREFIX_forward(network, scaled);
     if (network->log_reference > 0.0) value = network->log_reference * expm1(value);
@@ -141,17 +141,17 @@ static int PREFIX_read(const char* line, double conditions[3]) {
   return line[strspn(line, " \t\r\n")] == '\0';
 }
 
-/* Three conditions a line in; ten statistics, and 1 inside the training range or 0 outside, a line out. */
+/* Three conditions a line in; WORDS statistics, and 1 inside the training range or 0 outside, a line out. */
 int main(void) {
   char line[512];
-  double conditions[3], statistics[10];
+  double conditions[3], statistics[OUTPUTS];
   for (int number = 1; fgets(line, sizeof line, stdin) != NULL; ++number) {
     if (!PREFIX_read(line, conditions)) {
       fprintf(stderr, "line %d of the input: must be three numbers with blanks between them\n", number);
       return 2;
     }
     const int inside = PREFIX_predict(conditions, statistics);
-    for (int i = 0; i < 10; ++i) printf("%.17g ", statistics[i]);
+    for (int i = 0; i < OUTPUTS; ++i) printf("%.17g ", statistics[i]);
     printf("%d\n", inside);
   }
   return 0;
@@ -159,10 +159,10 @@ int main(void) {
 #endif
 )c";
 
-template <std::size_t count>
-std::string table(const char* name, const std::array<Column, count>& columns) {
+std::string table(const char* name, std::span<const Column> columns) {
   std::string text;
-  for (std::size_t i = 0; i < count; ++i) text += fmt::format(" *   {}[{}]  {}\n", name, i, described(columns[i]));
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    text += fmt::format(" *   {}[{}]  {}\n", name, i, described(columns[i]));
   return text;
 }
 
@@ -170,7 +170,7 @@ std::string head(const Model& model, std::string_view prefix) {
   return fmt::format(
              "/* Peak statistics of the force on one cutter in one rock: {}\n"
              " *\n"
-             " *   int {}_predict(const double conditions[3], double statistics[10]);\n"
+             " *   int {}_predict(const double conditions[3], double statistics[OUTPUTS]);\n"
              " *\n",
              comment_text(model.rock), prefix) +
          table("conditions", condition_columns(model)) + table("statistics", statistic_columns(model)) +
@@ -227,7 +227,7 @@ std::string tables(const Model& model) {
                         number_text(output.log_reference), number_text(output.variable.offset),
                         number_text(output.variable.scale));
   }
-  text += "\nstatic const PREFIX_network PREFIX_networks[10] = {\n" + rows + "};\n";
+  text += "\nstatic const PREFIX_network PREFIX_networks[OUTPUTS] = {\n" + rows + "};\n";
   text += "\nstatic const PREFIX_input PREFIX_inputs[3] = {\n";
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Variable& input = model.inputs[i];
@@ -244,7 +244,10 @@ std::string c_source(const Model& model, std::string_view prefix) {
   require_identifier(prefix, "prefix", longest_prefix);
   const std::string code =
       std::string(declarations) + places(model) + std::string(types) + tables(model) + std::string(functions);
-  return head(model, prefix) + replaced(code, "PREFIX", prefix);
+  const std::size_t outputs = model.outputs.size();
+  std::string text = head(model, prefix) + replaced(code, "PREFIX", prefix);
+  text = replaced(std::move(text), "OUTPUTS", fmt::format("{}", outputs));
+  return replaced(std::move(text), "WORDS", outputs == most_outputs ? "sixteen" : "ten");
 }
 
 }  // namespace bitrock::surrogate

@@ -22,6 +22,15 @@ constexpr std::array<const char*, statistics_count> statistic_meanings{
     "height of the highest peak", "mean height of all peaks", "peaks above 75 % of the highest",
     "peaks of 25 % to 75 % of the highest", "peaks below 25 % of the highest"};
 
+/// Of the six behind these.
+constexpr std::array<const char*, moment_count> moment_meanings{
+    "mean of the force over the travel",
+    "standard deviation of the force over the travel",
+    "mean of the force over the travel",
+    "standard deviation of the force over the travel",
+    "lag at which the autocorrelation over travel has fallen to 1/e",
+    "correlation of the two components"};
+
 }  // namespace
 
 std::array<Column, input_count> condition_columns(const Model& model) {
@@ -37,14 +46,15 @@ std::array<Column, input_count> condition_columns(const Model& model) {
   return columns;
 }
 
-std::array<Column, output_count> statistic_columns(const Model& model) {
-  std::array<Column, output_count> columns;
+std::vector<Column> statistic_columns(const Model& model) {
+  std::vector<Column> columns(model.outputs.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double si_per_unit = output_names[i].si_per_unit;
     const Variable& variable = model.outputs[i].variable;
     columns[i] = {.name = std::string(output_names[i].name),
                   .unit = std::string(output_names[i].unit),
-                  .meaning = statistic_meanings[i % statistics_count],
+                  .meaning = i < article_output_count ? statistic_meanings[i % statistics_count]
+                                                      : moment_meanings[i - article_output_count],
                   .low = variable.low * si_per_unit,
                   .high = variable.high * si_per_unit};
   }

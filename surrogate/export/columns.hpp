@@ -1,11 +1,12 @@
 #pragma once
 /// The columns of an exported model, in SI: bitrock's own files carry the units of the field (mm, degrees), but a model
-/// that lives in somebody's simulation is fed by that simulation. Three conditions in, ten statistics out, in the order
-/// of `input_names` and `output_names`. Forces are per metre of thickness out of the plane of cutting, peaks per metre
-/// of cut.
+/// that lives in somebody's simulation is fed by that simulation. Three conditions in, ten or sixteen statistics out,
+/// in the order of `input_names` and `output_names`. Forces are per metre of thickness out of the plane of cutting,
+/// peaks per metre of cut.
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "surrogate/net/model.hpp"
 
@@ -22,6 +23,6 @@ struct Column {
 /// In SI, in the order of the arguments.
 std::array<Column, input_count> condition_columns(const Model& model);
 /// In SI, in the order of the results.
-std::array<Column, output_count> statistic_columns(const Model& model);
+std::vector<Column> statistic_columns(const Model& model);
 
 }  // namespace bitrock::surrogate

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t longest_name = 63;  // namelengthmax of MATLAB
 
 constexpr std::string_view what_it_does = R"m(%
-%   One condition or many: conditions is N x 3, statistics is N x 10 and inside N x 1, a row for each row. A single
+%   One condition or many: conditions is N x 3, statistics is N x OUTPUTS and inside N x 1, a row for each row. A single
 %   condition may also be a column of 3, as Simulink gives signals. Anything else is an error.
 %
 %   inside is true inside the training range of the conditions; outside, the statistics are extrapolated. Not-a-number
@@ -39,7 +39,7 @@ if size(rows, 2) ~= 3
         size(rows, 1), size(rows, 2));
 end
 count = size(rows, 1);
-statistics = zeros(count, 10);
+statistics = zeros(count, OUTPUTS);
 inside = true(count, 1);
 
 % Layer k maps some numbers to others: each starts at its bias and adds its row of weights in order; negative sums
@@ -57,7 +57,7 @@ for row = 1:count
   end
   place = 1;   % in layers
   weight = 1;  % in parameters
-  for n = 1:10
+  for n = 1:OUTPUTS
     for i = 1:3
       from(i) = scaled(i);
     end
@@ -106,10 +106,9 @@ end
 end
 )m";
 
-template <std::size_t count>
-std::string table(const char* name, const std::array<Column, count>& columns) {
+std::string table(const char* name, std::span<const Column> columns) {
   std::string text;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
     text += fmt::format("%   {}(:, {})  {}\n", name, i + 1, described(columns[i]));
   }
   return text;
@@ -186,13 +185,14 @@ std::string networks(const Model& model) {
 
 std::string matlab_source(const Model& model, std::string_view name) {
   require_identifier(name, "function name", longest_name);
-  return fmt::format(
-             "function [statistics, inside] = {}(conditions)\n"
-             "% Peak statistics of the force on one cutter in one rock: {}\n%\n",
-             name, comment_text(model.rock)) +
-         table("conditions", condition_columns(model)) + table("statistics", statistic_columns(model)) +
-         std::string(what_it_does) + origin(model, "% ") + "\n" + inputs(model) + outputs(model) + networks(model) +
-         replaced(std::string(calculation), "NAME", name);
+  std::string text = fmt::format(
+                         "function [statistics, inside] = {}(conditions)\n"
+                         "% Peak statistics of the force on one cutter in one rock: {}\n%\n",
+                         name, comment_text(model.rock)) +
+                     table("conditions", condition_columns(model)) + table("statistics", statistic_columns(model)) +
+                     std::string(what_it_does) + origin(model, "% ") + "\n" + inputs(model) + outputs(model) +
+                     networks(model) + replaced(std::string(calculation), "NAME", name);
+  return replaced(std::move(text), "OUTPUTS", fmt::format("{}", model.outputs.size()));
 }
 
 }  // namespace bitrock::surrogate

@@ -137,8 +137,7 @@ void describe(onnx::ValueInfoProto& value, const char* name, int columns, const 
 }
 
 /// Lists of one entry a column, separated by commas: any language splits them.
-template <std::size_t count>
-void add_metadata(onnx::ModelProto& file, const std::string& prefix, const std::array<Column, count>& columns) {
+void add_metadata(onnx::ModelProto& file, const std::string& prefix, std::span<const Column> columns) {
   std::string names, units, lows, highs;
   const char* comma = "";
   for (const Column& column : columns) {
@@ -187,8 +186,12 @@ std::string onnx_file(const Model& model) {
   described.set_name("bitrock");
   describe(*described.add_input(), "conditions", input_count, "cutter speed [m/s], depth of cut [m], back rake [rad]");
   describe(
-      *described.add_output(), "statistics", output_count,
-      "amax, amean [N/m], np1, np23, np4 [1/m] in the cutting direction x, then the same in the axial direction y");
+      *described.add_output(), "statistics", static_cast<int>(model.outputs.size()),
+      has_moments(model)
+          ? "amax, amean [N/m], np1, np23, np4 [1/m] in the cutting direction x, then the same in the axial direction "
+            "y; then mean and standard deviation of x and of y [N/m], correlation length [m], correlation [1]"
+          : "amax, amean [N/m], np1, np23, np4 [1/m] in the cutting direction x, then the same in the axial direction "
+            "y");
   Graph graph(described);
   const std::string scaled = scaled_conditions(graph, model);
   std::vector<std::string> columns;

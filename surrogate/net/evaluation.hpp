@@ -22,9 +22,11 @@ enum class OutputActivation {
 inline constexpr int widest_layer = 64;
 inline constexpr int most_layers = 16;  ///< entries of `layers`, input and output included
 
-inline constexpr int input_count = 3;       ///< speed, depth, rake
-inline constexpr int output_count = 10;     ///< five statistics of two forces
-inline constexpr int statistics_count = 5;  ///< outputs of one direction
+inline constexpr int input_count = 3;            ///< speed, depth, rake
+inline constexpr int article_output_count = 10;  ///< the article's outputs, which every model has
+inline constexpr int statistics_count = 5;       ///< of these, of one direction
+inline constexpr int moment_count = 6;           ///< outputs that follow the ten, all of them or none
+inline constexpr int most_outputs = article_output_count + moment_count;
 
 inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;  ///< one degree
 

@@ -48,9 +48,13 @@ double from_network(const OutputModel& output, double given) {
   return from_network(output.variable.offset, output.variable.scale, output.log_reference, given);
 }
 
-std::array<double, output_count> listed(const Prediction& prediction) {
+OutputValues listed(const Prediction& prediction) {
   const peaks::PeakRates &x = prediction.x, &y = prediction.y;
-  return {x.amax, x.amean, x.np1, x.np23, x.np4, y.amax, y.amean, y.np1, y.np23, y.np4};
+  OutputValues values{.items = {x.amax, x.amean, x.np1, x.np23, x.np4, y.amax, y.amean, y.np1, y.np23, y.np4}};
+  if (!prediction.has_moments) return values;
+  values.count = most_outputs;
+  std::copy(prediction.moments.begin(), prediction.moments.end(), values.begin() + article_output_count);
+  return values;
 }
 
 Prediction predict(const Model& model, const CutConditions& conditions) {
@@ -61,9 +65,13 @@ Prediction predict(const Model& model, const CutConditions& conditions) {
     scaled[i] = (values[i] - model.inputs[i].offset) / model.inputs[i].scale;
     all_inside = all_inside && inside(model.inputs[i], values[i]);
   }
-  return {.x = statistics(model, 0, scaled),
-          .y = statistics(model, statistics_count, scaled),
-          .inside_training_range = all_inside};
+  Prediction prediction{.x = statistics(model, 0, scaled),
+                        .y = statistics(model, statistics_count, scaled),
+                        .has_moments = has_moments(model),
+                        .inside_training_range = all_inside};
+  for (std::size_t i = 0; prediction.has_moments && i < prediction.moments.size(); ++i)
+    prediction.moments[i] = output_value(model.outputs[article_output_count + i], scaled);
+  return prediction;
 }
 
 Bounds widened_range(const Variable& input) {

@@ -1,10 +1,13 @@
 #pragma once
-/// The force model of one cutter in one rock: ten small networks with the names, units, training range and scaling of
+/// The force model of one cutter in one rock: small networks with the names, units, training range and scaling of
 /// what goes in and comes out. `predict` answers, for one set of cutting conditions, the five peak statistics of the
-/// force in the cutting direction x and in the axial direction y. It does not rebuild force histories (runtime/), does
-/// not learn (surrogate/train/), and reading and writing are in `model_file.hpp`.
+/// force in the cutting direction x and in the axial direction y [BitRock2026, sec. 3.2]; a model of sixteen networks
+/// also means, standard deviations, correlation length and correlation of the two, which are ours. It does not rebuild
+/// force histories (runtime/), does not learn (surrogate/train/), and reading and writing are in `model_file.hpp`.
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -101,7 +104,9 @@ inline constexpr std::array<VariableName, input_count> input_names{{
 }};
 
 /// x first, then y. Peak counts are per metre of cut, so that they do not depend on how long a cut was simulated.
-inline constexpr std::array<VariableName, output_count> output_names{{
+/// Then, in models that have them: mean and standard deviation of each component over the travel; the lag at which the
+/// autocorrelation over travel has fallen to 1/e, the mean of both components; Pearson's correlation of the two.
+inline constexpr std::array<VariableName, most_outputs> output_names{{
     {"x_amax_N_per_m", "N/m", 1.0},
     {"x_amean_N_per_m", "N/m", 1.0},
     {"x_np1_per_m", "1/m", 1.0},
@@ -112,6 +117,12 @@ inline constexpr std::array<VariableName, output_count> output_names{{
     {"y_np1_per_m", "1/m", 1.0},
     {"y_np23_per_m", "1/m", 1.0},
     {"y_np4_per_m", "1/m", 1.0},
+    {"x_mean_N_per_m", "N/m", 1.0},
+    {"x_sd_N_per_m", "N/m", 1.0},
+    {"y_mean_N_per_m", "N/m", 1.0},
+    {"y_sd_N_per_m", "N/m", 1.0},
+    {"correlation_length_m", "m", 1.0},
+    {"xy_correlation", "1", 1.0},
 }};
 
 /// Of peaks per metre; false: an amplitude.
@@ -120,21 +131,45 @@ inline bool is_count(std::size_t output) {
 }
 
 struct Model {
-  std::array<Variable, input_count> inputs;       ///< in the order of `input_names`
-  std::array<OutputModel, output_count> outputs;  ///< in the order of `output_names`
-  std::string rock;                               ///< which rock, for people
-  Provenance provenance;                          ///< where it comes from
+  std::array<Variable, input_count> inputs;  ///< in the order of `input_names`
+  /// Ten or sixteen, in the order of `output_names`.
+  std::vector<OutputModel> outputs{std::vector<OutputModel>(article_output_count)};
+  std::string rock;       ///< which rock, for people
+  Provenance provenance;  ///< where it comes from
+};
+
+/// It has the six outputs behind the article's ten.
+inline bool has_moments(const Model& model) {
+  return model.outputs.size() == most_outputs;
+}
+
+/// One number for each output of a model, in the order of `output_names`. Takes no memory.
+struct OutputValues {
+  std::array<double, most_outputs> items{};  ///< those beyond `count` are 0
+  std::size_t count = article_output_count;
+
+  std::size_t size() const { return count; }
+  double* begin() { return items.data(); }
+  double* end() { return items.data() + count; }
+  const double* begin() const { return items.data(); }
+  const double* end() const { return items.data() + count; }
+  double& operator[](std::size_t i) { return items.data()[i]; }
+  const double& operator[](std::size_t i) const { return items.data()[i]; }
+  void fill(double value) { std::fill(begin(), end(), value); }
+  auto operator<=>(const OutputValues&) const = default;
 };
 
 /// Forces are per metre of thickness out of the plane of cutting.
 struct Prediction {
-  peaks::PeakRates x;                  ///< cutting direction
-  peaks::PeakRates y;                  ///< axial direction, out of the rock
-  bool inside_training_range = false;  ///< for these conditions
+  peaks::PeakRates x;                          ///< cutting direction
+  peaks::PeakRates y;                          ///< axial direction, out of the rock
+  std::array<double, moment_count> moments{};  ///< the six outputs behind the ten, where the model has them
+  bool has_moments = false;                    ///< whether the model has them
+  bool inside_training_range = false;          ///< for these conditions
 };
 
-/// The ten numbers in the order of `output_names`.
-std::array<double, output_count> listed(const Prediction& prediction);
+/// The ten or sixteen numbers in the order of `output_names`.
+OutputValues listed(const Prediction& prediction);
 
 /// Takes no memory, does not throw, does not clamp: outside the training range it extrapolates and says so.
 /// Not-a-number in gives not-a-number out, flagged as outside. The model must come from `read_model` or `train`: its

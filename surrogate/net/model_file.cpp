@@ -278,10 +278,14 @@ Model model_from_text(std::string_view text, const std::string& name) {
     root.at("inputs").at(i).only(variable_keys);
     model.inputs[i] = read_variable(root.at("inputs").at(i), input_names[i]);
   }
-  root.at("outputs").list_of(output_count);
+  const JsonPlace outputs = root.at("outputs");
+  // the six behind the article's ten are there together or not at all
+  const bool with_moments = outputs.list() > article_output_count;
+  outputs.list_of(with_moments ? most_outputs : article_output_count);
+  model.outputs.resize(outputs.list());
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < output_count; ++i) {
-    model.outputs[i] = read_output(root.at("outputs").at(i), output_names[i]);
+  for (std::size_t i = 0; i < model.outputs.size(); ++i) {
+    model.outputs[i] = read_output(outputs.at(i), output_names[i]);
     model.outputs[i].learning_curve = read_curve(root.at("learning_curves").at(std::string(output_names[i].name)));
     names.emplace_back(output_names[i].name);
   }

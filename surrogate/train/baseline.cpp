@@ -10,7 +10,8 @@ namespace {
 /// The three functions of the conditions that are added up.
 Eigen::Vector3d terms(std::size_t output, const TrainingRow& row) {
   const double depth = row.inputs[1], rake = row.inputs[2] * radians_per_degree;
-  return (is_count(output) ? 1.0 / depth : depth) * Eigen::Vector3d(1.0, rake, rake * rake);
+  const double size = output_names[output].unit == "1" ? 1.0 : is_count(output) ? 1.0 / depth : depth;
+  return size * Eigen::Vector3d(1.0, rake, rake * rake);
 }
 
 }  // namespace
@@ -18,7 +19,8 @@ Eigen::Vector3d terms(std::size_t output, const TrainingRow& row) {
 Baseline fit_baseline(std::span<const TrainingRow> rows) {
   Baseline baseline;
   const auto count = static_cast<Eigen::Index>(rows.size());
-  for (std::size_t i = 0; i < output_count; ++i) {
+  if (!rows.empty()) baseline.outputs = rows.front().outputs.size();
+  for (std::size_t i = 0; i < baseline.outputs; ++i) {
     Eigen::MatrixXd left(count, 3);
     Eigen::VectorXd right(count);
     for (Eigen::Index r = 0; r < count; ++r) {
@@ -33,8 +35,8 @@ Baseline fit_baseline(std::span<const TrainingRow> rows) {
 }
 
 Outputs predict(const Baseline& baseline, const TrainingRow& conditions) {
-  Outputs outputs;
-  for (std::size_t i = 0; i < output_count; ++i) {
+  Outputs outputs{.count = baseline.outputs};
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
     outputs[i] = std::max(0.0, Eigen::Vector3d(baseline.coefficients[i].data()).dot(terms(i, conditions)));
   }
   return outputs;

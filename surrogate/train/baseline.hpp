@@ -15,7 +15,8 @@
 namespace bitrock::surrogate {
 
 struct Baseline {
-  std::array<std::array<double, 3>, output_count> coefficients{};  ///< c_0, c_1, c_2 of each output
+  std::array<std::array<double, 3>, most_outputs> coefficients{};  ///< c_0, c_1, c_2 of each output
+  std::size_t outputs = article_output_count;
 };
 
 /// With rows of one or two back rakes the smallest coefficients of all that fit are taken.

@@ -20,9 +20,32 @@ namespace bitrock::surrogate {
 namespace {
 
 /// Columns of the file, in the order of `output_names`: there, counts are per metre; here they are plain counts.
-constexpr std::array<const char*, output_count> output_columns{
-    "x_amax_N_per_m", "x_amean_N_per_m", "x_np1", "x_np23", "x_np4",
-    "y_amax_N_per_m", "y_amean_N_per_m", "y_np1", "y_np23", "y_np4"};
+constexpr std::array<const char*, most_outputs> output_columns{
+    "x_amax_N_per_m", "x_amean_N_per_m", "x_np1",          "x_np23",       "x_np4",
+    "y_amax_N_per_m", "y_amean_N_per_m", "y_np1",          "y_np23",       "y_np4",
+    "x_mean_N_per_m", "x_sd_N_per_m",    "y_mean_N_per_m", "y_sd_N_per_m", "correlation_length_mm",
+    "xy_correlation"};
+constexpr std::size_t length_output = 14, correlation_output = 15;
+
+/// What turns a number of the column into the unit of the output.
+double factor_of(std::size_t output, double cut_length) {
+  if (is_count(output)) return 1.0 / cut_length;
+  return output == length_output ? 1e-3 : 1.0;
+}
+
+/// A column that only tables with all six of these have.
+bool has_moments(const base::CsvTable& table) {
+  const auto at = [&](std::size_t output) { return table.has(output_columns[output]); };
+  const bool any = at(11) || at(13) || at(length_output) || at(correlation_output);
+  for (std::size_t i = article_output_count; any && i < output_columns.size(); ++i) {
+    if (at(i)) continue;
+    throw base::InputError(
+        fmt::format("{}: no column {} (the other columns of mean, sd, correlation length and "
+                    "correlation are there; it takes all six, or none)",
+                    table.source, output_columns[i]));
+  }
+  return any;
+}
 
 /// All at once, so that nobody learns of them one after the other.
 void require_columns(const base::CsvTable& table) {
@@ -76,16 +99,25 @@ void read_errors(const base::CsvTable& table, std::size_t row, TrainingRow& read
       throw base::InputError(fmt::format("{}:{}: seeds = 0 (must be at least 1)", table.source, read.line));
     }
   }
-  Outputs errors{};
-  for (std::size_t i = 0; i < output_columns.size(); ++i) {
+  Outputs errors{.count = read.outputs.count};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
     const std::string name = std::string(output_columns[i]) + "_standard_error";
     if (!table.has(name)) return;
-    errors[i] = cell(table, name, row, not_negative()) / (is_count(i) ? read.cut_length : 1.0);
+    const double error = cell(table, name, row, not_negative());
+    // divided, not multiplied by an inverse, so that the bits are those of a quotient
+    errors[i] = is_count(i) ? error / read.cut_length : error * factor_of(i, 1.0);
   }
   if (read.cuts > 1) read.standard_errors = errors;
 }
 
-TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seeds) {
+/// What a cell of this output may be: where noise can make a number negative, that is no error.
+base::Range range_of(std::size_t output) {
+  if (output == correlation_output) return base::between(-1.0, 1.0);
+  if (output == length_output) return positive();
+  return output == 10 || output == 12 ? base::between(-largest, largest) : not_negative();
+}
+
+TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seeds, std::size_t outputs) {
   constexpr double largest_exact = 0x1.0p53;  // beyond it a double skips whole numbers
   constexpr double rounding = 1e-9;           // of numbers written with ten digits
   TrainingRow read;
@@ -95,16 +127,17 @@ TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seed
   read.inputs = {cell(table, "cutter_speed_m_per_s", row, positive()), cell(table, "depth_of_cut_mm", row, positive()),
                  cell(table, "back_rake_deg", row, rake_range)};
   read.cut_length = cell(table, "cut_length_m", row, positive());
-  for (std::size_t i = 0; i < output_columns.size(); ++i) {
-    const double value = cell(table, output_columns[i], row, not_negative());
-    read.outputs[i] = is_count(i) ? value / read.cut_length : value;
+  read.outputs.count = outputs;
+  for (std::size_t i = 0; i < outputs; ++i) {
+    const double value = std::max(cell(table, output_columns[i], row, range_of(i)), 0.0);
+    read.outputs[i] = is_count(i) ? value / read.cut_length : value * factor_of(i, 1.0);
     if (read.outputs[i] != 0.0 && !(read.outputs[i] >= smallest && read.outputs[i] <= largest)) {
       const std::string over = is_count(i) ? fmt::format(" over cut_length_m = {}", read.cut_length) : "";
       throw base::InputError(fmt::format("{}:{}: {} = {}{} (must be 0 or from {:g} to {:g})", table.source, read.line,
                                          output_columns[i], value, over, smallest, largest));
     }
   }
-  for (std::size_t highest = 0; highest < output_count; highest += statistics_count) {
+  for (std::size_t highest = 0; highest < article_output_count; highest += statistics_count) {
     const std::size_t mean = highest + 1;
     if (read.outputs[mean] <= read.outputs[highest] * (1.0 + rounding)) continue;
     throw base::InputError(
@@ -148,15 +181,15 @@ TrainingRow mean_of(const std::vector<const TrainingRow*>& rows) {
   mean.seed = 0;
   mean.cuts = 0;
   mean.cut_length = 0.0;
-  mean.outputs = {};
+  mean.outputs.fill(0.0);
   for (const TrainingRow* row : rows) mean.cuts += row->cuts;
   for (const TrainingRow* row : rows) {
     const double share = static_cast<double>(row->cuts) / mean.cuts;
     mean.cut_length += share * row->cut_length;
-    for (std::size_t i = 0; i < output_count; ++i) mean.outputs[i] += share * row->outputs[i];
+    for (std::size_t i = 0; i < mean.outputs.size(); ++i) mean.outputs[i] += share * row->outputs[i];
   }
-  Outputs errors{};
-  for (std::size_t i = 0; i < output_count; ++i) {
+  Outputs errors{.count = mean.outputs.count};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
     double squares = 0.0;
     for (const TrainingRow* row : rows) {
       const double deviation = row->outputs[i] - mean.outputs[i];
@@ -177,7 +210,9 @@ TrainingData read_training_data(const std::filesystem::path& path) {
   data.file = path.filename().string();
   data.fingerprint = base::fingerprint_text(base::read_whole(path));
   data.has_seeds = table.has("seed");
-  for (std::size_t row = 0; row < table.rows(); ++row) data.rows.push_back(read_row(table, row, data.has_seeds));
+  const std::size_t outputs = has_moments(table) ? most_outputs : article_output_count;
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    data.rows.push_back(read_row(table, row, data.has_seeds, outputs));
   check_rows_together(table, data);
   return data;
 }
@@ -193,6 +228,12 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
       throw base::InputError(
           fmt::format("{} and {}: one has a column seed, the other has not (rows must be single cuts "
                       "in both, or means in both)",
+                      tables.front().file, table.file));
+    }
+    if (output_count(table) != output_count(tables.front())) {
+      throw base::InputError(
+          fmt::format("{} and {}: one has the columns of mean, sd, correlation length and correlation, the other has "
+                      "not (collect both anew, or leave one out)",
                       tables.front().file, table.file));
     }
     for (const DataPart& part : all.parts) {
@@ -229,6 +270,10 @@ TrainingData averaged(const TrainingData& data) {
   for (const TrainingRow& row : data.rows) rows_of_case[row.case_number].push_back(&row);
   for (const int number : case_numbers(data)) means.rows.push_back(mean_of(rows_of_case.at(number)));
   return means;
+}
+
+std::size_t output_count(const TrainingData& data) {
+  return data.rows.empty() ? article_output_count : data.rows.front().outputs.size();
 }
 
 CutConditions conditions_of(const TrainingRow& row) {

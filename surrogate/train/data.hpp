@@ -13,7 +13,7 @@
 
 namespace bitrock::surrogate {
 
-using Outputs = std::array<double, output_count>;  ///< in the order of `output_names`
+using Outputs = OutputValues;  ///< in the order of `output_names`
 
 /// One cut, or the mean over the cuts of a case, in the units of the file, in the order of `input_names` and
 /// `output_names`.
@@ -22,7 +22,7 @@ struct TrainingRow {
   long long seed = 0;                        ///< of the rock; 0 when the file has no seeds
   std::array<double, input_count> inputs{};  ///< [m/s], [mm], [deg]
   double cut_length = 0.0;                   ///< [m]
-  Outputs outputs{};                         ///< [N/m], and peak counts divided by the length of cut [1/m]
+  Outputs outputs{};                         ///< in the units of `output_names`; peak counts over the length of cut
   int cuts = 1;                              ///< of which this is the mean
   std::optional<Outputs> standard_errors{};  ///< of the mean, in the units of `outputs`; known from two cuts on
   int line = 0;                              ///< in the file, the first one of a mean
@@ -38,7 +38,9 @@ struct TrainingData {
 
 /// Needs the columns case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, and for x and y
 /// {amax_N_per_m, amean_N_per_m, np1, np23, np4}; takes seed when there, and without it seeds (the number of cuts of a
-/// mean) and ..._standard_error when they are there; ignores all others.
+/// mean) and ..._standard_error when they are there; ignores all others. With the columns x_sd_N_per_m, y_sd_N_per_m,
+/// x_mean_N_per_m, y_mean_N_per_m, correlation_length_mm and xy_correlation there are sixteen outputs; a mean or a
+/// correlation below 0, which only noise can make, counts as 0. (A mean alone makes no output: older tables have it.)
 /// Throws `base::InputError` with file and line for: a case or seed that is no whole number, speed, depth or length of
 /// cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts, numbers beyond 1e12 or below
 /// 1e-12, a mean height of peaks above the highest, a case and seed that come twice (without seeds: a case that comes
@@ -49,12 +51,16 @@ TrainingData read_training_data(const std::filesystem::path& path);
 TrainingData read_training_data(const std::vector<std::string>& paths);
 
 /// Several tables as one: the cases of a later table get numbers above those of the earlier ones. One table stays what
-/// it is. Throws `InputError` when there is none, when one comes twice, or when some have seeds and others have not.
+/// it is. Throws `InputError` when there is none, when one comes twice, or when some have seeds, or the six outputs
+/// behind the article's ten, and others have not.
 TrainingData joined(const std::vector<TrainingData>& tables);
 
 /// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of
 /// that mean (over the rows when there are several, the file's own otherwise).
 TrainingData averaged(const TrainingData& data);
+
+/// Ten or sixteen: all rows have the same number.
+std::size_t output_count(const TrainingData& data);
 
 /// The conditions of a row in SI, as `predict` wants them.
 CutConditions conditions_of(const TrainingRow& row);

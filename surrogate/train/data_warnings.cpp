@@ -61,7 +61,7 @@ Places copied_statistics(const TrainingData& data) {
 Places peaks_without_height(const TrainingData& data) {
   Places places;
   for (const TrainingRow& row : data.rows) {
-    for (std::size_t k = 0; k < output_count; k += statistics_count) {
+    for (std::size_t k = 0; k < article_output_count; k += statistics_count) {
       const bool peaks = row.outputs[k + 2] + row.outputs[k + 3] + row.outputs[k + 4] > 0.0;
       if (peaks == (row.outputs[k] > 0.0)) continue;
       places.add(fmt::format("line {}, {}", row.line, k == 0 ? "x" : "y"));
@@ -76,7 +76,7 @@ Places broken_counts(const TrainingData& data) {
   Places places;
   if (!data.has_seeds) return places;
   for (const TrainingRow& row : data.rows) {
-    for (std::size_t i = 0; i < output_count; ++i) {
+    for (std::size_t i = 0; i < row.outputs.size(); ++i) {
       const double count = row.outputs[i] * row.cut_length;
       if (!is_count(i) || std::abs(count - std::round(count)) <= rounding * std::max(1.0, count)) continue;
       places.add(fmt::format("line {}, {:.6g} of {}", row.line, count, output_names[i].name));
@@ -116,7 +116,7 @@ std::vector<std::string> learning_warnings(const TrainingData& data) {
                     data.file, input.name, input.low));
   }
   const std::vector<TrainingRow> rows = averaged(data).rows;
-  for (std::size_t i = 0; i < output_count; ++i) {
+  for (std::size_t i = 0; i < output_count(data); ++i) {
     const Variable output = output_scaling(rows, i, false).variable;
     if (output.high > output.low) continue;
     all.push_back(fmt::format("{}: {} is {:.6g} in all cases: there is nothing to learn for its network", data.file,

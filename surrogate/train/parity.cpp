@@ -205,6 +205,7 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
   result.same_data = part != nullptr || data.fingerprint == model.provenance.data_fingerprint;
   const TrainingData means = averaged(data);
   const ScatterLaw law = scatter_law(means.rows);
+  result.outputs.resize(std::min(model.outputs.size(), output_count(data)));
   result.law_degrees = law.degrees_of_freedom;
   for (const TrainingRow& mean : means.rows) {
     const CaseRole role = role_of(model, mean.case_number + first_case, numbers);
@@ -214,16 +215,16 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
       if (!prediction.inside_training_range) ++result.outside_training_range;
     }
     const auto predictions = listed(prediction);
-    for (std::size_t i = 0; i < output_count; ++i) {
+    for (std::size_t i = 0; i < result.outputs.size(); ++i) {
       if (std::isfinite(predictions[i])) continue;
       throw base::InputError(
           fmt::format("the model has no finite answer for {} of case {}", output_names[i].name, mean.case_number));
     }
-    for (std::size_t i = 0; i < output_count; ++i) {
+    for (std::size_t i = 0; i < result.outputs.size(); ++i) {
       result.outputs[i].points.push_back(parity_point(mean, role, law, predictions[i], i));
     }
   }
-  for (std::size_t i = 0; i < output_count; ++i) {
+  for (std::size_t i = 0; i < result.outputs.size(); ++i) {
     result.outputs[i].name = output_names[i].name;
     result.outputs[i].unit = output_names[i].unit;
     compare(result.outputs[i]);

@@ -75,10 +75,10 @@ struct OutputParity {
 struct Parity {
   /// The data are, byte for byte, those of the training, or one of its tables; otherwise roles rest on case numbers.
   bool same_data = false;
-  bool has_held_out = false;       ///< verdicts rest on held-out cases
-  int law_degrees = 0;             ///< cuts beyond the first of every case: what the law of scatter was found from
-  int outside_training_range = 0;  ///< held-out cases where the networks extrapolate
-  std::array<OutputParity, output_count> outputs;  ///< in the order of `output_names`
+  bool has_held_out = false;          ///< verdicts rest on held-out cases
+  int law_degrees = 0;                ///< cuts beyond the first of every case: what the law of scatter was found from
+  int outside_training_range = 0;     ///< held-out cases where the networks extrapolate
+  std::vector<OutputParity> outputs;  ///< what both model and data have: ten or sixteen
 };
 
 /// How the cases of the data are told from those of the training.

@@ -18,7 +18,8 @@ ScatterLaw scatter_law(std::span<const TrainingRow> means) {
   for (const TrainingRow& row : means) {
     if (row.standard_errors) law.degrees_of_freedom += row.cuts - 1;
   }
-  for (std::size_t i = 0; i < output_count; ++i) {
+  if (!means.empty()) law.phi.count = means.front().outputs.count;
+  for (std::size_t i = 0; i < law.phi.size(); ++i) {
     double seen = 0.0, of_shape = 0.0;
     for (const TrainingRow& row : means) {
       if (!row.standard_errors) continue;

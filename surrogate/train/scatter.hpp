@@ -3,9 +3,9 @@
 /// three cuts of one case say little about their own scatter; all cases together say much about the common law. It
 /// weighs errors in training and says how large a deviation the noise of the data alone would make.
 ///
-/// **Equation** var(y) = phi y^2 for amplitudes (the rock changes all forces by a share of them), var(y) = phi y / L
-/// for peaks per metre (peaks come one by one; phi = 1 if they came independently of each other). Over all cases i with
-/// n_i cuts, mean y_i and standard error s_i of that mean:
+/// **Equation** var(y) = phi y^2 for amplitudes and all that is no count (the rock changes all forces by a share of
+/// them), var(y) = phi y / L for peaks per metre (peaks come one by one; phi = 1 if they came independently of each
+/// other). Over all cases i with n_i cuts, mean y_i and standard error s_i of that mean:
 ///
 ///     phi = sum (n_i - 1) n_i s_i^2 / sum (n_i - 1) g_i,   g_i = y_i^2 or y_i / L_i
 ///
@@ -21,8 +21,8 @@
 namespace bitrock::surrogate {
 
 struct ScatterLaw {
-  std::array<double, output_count> phi{};  ///< [1], of a single cut
-  int degrees_of_freedom = 0;              ///< sum of n_i - 1; 0: no case was cut twice, and nothing is known
+  OutputValues phi{};          ///< [1], of a single cut
+  int degrees_of_freedom = 0;  ///< sum of n_i - 1; 0: no case was cut twice, and nothing is known
 };
 
 /// `means`: one row a case, as from `averaged`.

@@ -49,7 +49,7 @@ std::vector<Outputs> deviations(const TrainingData& data, const TrainingData& me
     for (const TrainingRow& row : left_out) predicted.push_back(listed(predict(model, conditions_of(row))));
   }
   for (std::size_t i = 0; i < left_out.size(); ++i) {
-    for (std::size_t o = 0; o < output_count; ++o) predicted[i][o] -= left_out[i].outputs[o];
+    for (std::size_t o = 0; o < predicted[i].size(); ++o) predicted[i][o] -= left_out[i].outputs[o];
   }
   return predicted;
 }
@@ -57,9 +57,9 @@ std::vector<Outputs> deviations(const TrainingData& data, const TrainingData& me
 /// s_o over all cases; 1 for an output that does not scatter at all.
 Outputs scatter_of(const TrainingData& means) {
   const ScatterLaw law = scatter_law(means.rows);
-  Outputs squares{};
+  Outputs squares{.count = output_count(means)};
   for (const TrainingRow& row : means.rows) {
-    for (std::size_t o = 0; o < output_count; ++o) {
+    for (std::size_t o = 0; o < squares.size(); ++o) {
       const double error = standard_error(law, o, row.outputs[o], row.cut_length, row.cuts);
       squares[o] += error * error / static_cast<double>(means.rows.size());
     }
@@ -72,20 +72,22 @@ Outputs scatter_of(const TrainingData& means) {
 std::vector<double> judge(const std::vector<Outputs>& deviations, const Outputs& scatter, CandidateResult& result) {
   std::vector<double> per_case;
   const auto count = static_cast<double>(deviations.size());
-  std::array<double, output_count> sums{};
+  const auto outputs = static_cast<double>(scatter.size());
+  Outputs sums{.count = scatter.count};
   for (const Outputs& deviation : deviations) {
     double sum = 0.0;
-    for (std::size_t o = 0; o < output_count; ++o) {
+    for (std::size_t o = 0; o < sums.size(); ++o) {
       const double error = deviation[o] / scatter[o];
       sums[o] += error * error / count;
-      sum += error * error / output_count;
+      sum += error * error / outputs;
     }
     per_case.push_back(sum);
   }
   double mean = 0.0;
-  for (std::size_t o = 0; o < output_count; ++o) {
+  result.errors.count = sums.count;
+  for (std::size_t o = 0; o < sums.size(); ++o) {
     result.errors[o] = std::sqrt(sums[o]);
-    mean += sums[o] / output_count;
+    mean += sums[o] / outputs;
   }
   result.error = std::sqrt(mean);
   return per_case;

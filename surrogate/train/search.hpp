@@ -37,11 +37,11 @@ void take_kind(const Candidate& candidate, TrainOptions& options);
 std::vector<Candidate> usual_candidates();
 
 struct CandidateResult {
-  Candidate candidate;                        ///< that was measured
-  std::array<double, output_count> errors{};  ///< error_o [1]
-  double error = 0.0;                         ///< [1]
-  double gain = 0.0;                          ///< against the first candidate [1]; positive is better
-  double gain_error = 0.0;                    ///< its standard error [1]
+  Candidate candidate;      ///< that was measured
+  OutputValues errors{};    ///< error_o [1]
+  double error = 0.0;       ///< [1]
+  double gain = 0.0;        ///< against the first candidate [1]; positive is better
+  double gain_error = 0.0;  ///< its standard error [1]
 };
 
 struct Search {

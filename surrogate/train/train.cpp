@@ -25,19 +25,20 @@ namespace {
 /// Sums the epochs of all outputs for the callback.
 class Progress {
  public:
-  Progress(const base::ProgressCallback& callback, int epochs) : callback_(callback), epochs_(epochs) {}
+  Progress(const base::ProgressCallback& callback, std::size_t outputs, int epochs)
+      : callback_(callback), epochs_(epochs), done_(outputs, 0) {}
   void report(std::size_t output, int epochs) {
     if (!callback_) return;
     const std::lock_guard lock(mutex_);
     done_[output] = epochs;
-    callback_(std::accumulate(done_.begin(), done_.end(), 0.0), static_cast<double>(output_count) * epochs_);
+    callback_(std::accumulate(done_.begin(), done_.end(), 0.0), static_cast<double>(done_.size()) * epochs_);
   }
 
  private:
   const base::ProgressCallback& callback_;
   int epochs_;
   std::mutex mutex_;
-  std::array<int, output_count> done_{};
+  std::vector<int> done_;
 };
 
 /// The model before learning: names, ranges, scaling, and in a warm start the networks.
@@ -48,7 +49,8 @@ Model start_model(const TrainOptions& options, std::span<const TrainingRow> trai
   for (std::size_t i = 0; i < input_count; ++i) {
     model.inputs[i] = warm ? with_wider_range(model.inputs[i], inputs[i]) : inputs[i];
   }
-  for (std::size_t i = 0; i < output_count; ++i) {
+  if (!warm) model.outputs.resize(train_rows.front().outputs.size());
+  for (std::size_t i = 0; i < model.outputs.size(); ++i) {
     OutputModel output = output_scaling(train_rows, i, options.log_targets);
     output.network = {.layers = options.layers, .output = options.output};
     if (warm) {
@@ -113,8 +115,9 @@ LearningTask learning_task(const TrainOptions& options, const ScatterLaw& law, c
 void train_outputs(const TrainOptions& options, const ScatterLaw& law, const Sides& sides,
                    const base::ProgressCallback& callback, Model& model) {
   const Model start = model;
-  Progress progress(callback, options.starts * options.epochs);
-  base::for_each_index(output_count, options.threads == 0 ? base::available_cores() : options.threads, [&](int index) {
+  Progress progress(callback, model.outputs.size(), options.starts * options.epochs);
+  const auto outputs = static_cast<int>(model.outputs.size());
+  base::for_each_index(outputs, options.threads == 0 ? base::available_cores() : options.threads, [&](int index) {
     const auto output = static_cast<std::size_t>(index);
     model.outputs[output] = learn(learning_task(options, law, start, output, sides), options, output,
                                   start.outputs[output], [&](int epochs) { progress.report(output, epochs); });
@@ -207,7 +210,14 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
     throw base::InputError(
         fmt::format("{}: only one row is left to learn from (more cases, or a larger split)", data.file));
   }
-  if (options.init_from == nullptr) require_varied_inputs(sides.train, data.file);
+  if (options.init_from == nullptr) {
+    require_varied_inputs(sides.train, data.file);
+  } else if (options.init_from->outputs.size() > output_count(data)) {
+    throw base::InputError(fmt::format(
+        "{}: the model to start from has networks of mean, sd, correlation length and correlation, but the data have "
+        "no such columns (train without a start model, or collect the data anew)",
+        data.file));
+  }
   Model model = start_model(options, sides.train);
   train_outputs(options, law, sides, progress, model);
   model.provenance = {.data_file = data.file,

@@ -44,16 +44,16 @@ inline surrogate::Model model(std::uint64_t seed = 365) {
     bool logarithm;
     double offset;  ///< in scales
   };
-  const std::array<Kind, surrogate::output_count> kinds{{{{3, 4, 6, 3, 1}, rectified, false, 0.0},
-                                                         {{3, 4, 6, 3, 1}, softplus, false, 0.0},
-                                                         {{3, 4, 6, 3, 1}, linear, false, 0.0},
-                                                         {{3, 8, 8, 1}, rectified, true, 0.0},
-                                                         {{3, 8, 8, 1}, softplus, true, 0.0},
-                                                         {{3, 8, 8, 1}, linear, true, 0.0},
-                                                         {{3, 64, 1, 5, 64, 1}, linear, false, 0.7},
-                                                         {{3, 1}, linear, false, -0.1},
-                                                         {{3, 1}, softplus, true, 0.3},
-                                                         {{3, 32, 1}, rectified, true, -0.2}}};
+  const std::array<Kind, surrogate::article_output_count> kinds{{{{3, 4, 6, 3, 1}, rectified, false, 0.0},
+                                                                 {{3, 4, 6, 3, 1}, softplus, false, 0.0},
+                                                                 {{3, 4, 6, 3, 1}, linear, false, 0.0},
+                                                                 {{3, 8, 8, 1}, rectified, true, 0.0},
+                                                                 {{3, 8, 8, 1}, softplus, true, 0.0},
+                                                                 {{3, 8, 8, 1}, linear, true, 0.0},
+                                                                 {{3, 64, 1, 5, 64, 1}, linear, false, 0.7},
+                                                                 {{3, 1}, linear, false, -0.1},
+                                                                 {{3, 1}, softplus, true, 0.3},
+                                                                 {{3, 32, 1}, rectified, true, -0.2}}};
   for (std::size_t i = 0; i < made.outputs.size(); ++i) {
     const surrogate::VariableName& name = surrogate::output_names[i];
     const double high_value = name.unit == "N/m" ? 4.3e5 : 1.7e3;

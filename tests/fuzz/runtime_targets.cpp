@@ -81,9 +81,10 @@ std::string good_state(std::string_view bytes) {
   std::string state(bytes);
   state.resize(seed.size());
   state.replace(0, 24, seed, 0, 24);
-  std::uint64_t sums[4] = {1, 2, 3, state.size()};
+  const std::uint64_t used = word_at(state, 8);
+  std::uint64_t sums[4] = {1, 2, 3, used};
   std::size_t lane = 0;
-  for (std::size_t at = 32; at + 8 <= state.size(); at += 8) {
+  for (std::size_t at = 32; at + 8 <= used; at += 8) {
     sums[lane] = (sums[lane] ^ word_at(state, at)) * 0x9e3779b97f4a7c15ULL;
     sums[lane] ^= sums[lane] >> 32;
     lane = (lane + 1) % 4;

@@ -127,7 +127,7 @@ TEST(Core, IsTheSumOfCuttersThatAskTheModelThemselves) {
         const surrogate::Prediction p = predict(
             model, clamped_to_training_range(
                        model, runtime::cut_conditions(c.radius, c.back_rake, rotation_at(angle), rop_at(angle))));
-        enter_window(parts[n], static_cast<std::int64_t>(k), runtime::named(listed(p)));
+        enter_window(parts[n], static_cast<std::int64_t>(k), runtime::named(listed(p).items));
       }
       const runtime::ForcePerMetre f = force_at(parts[n].train, runtime::Combine::sum, angle - k * window_angle);
       force += c.width * f.y;
@@ -263,56 +263,57 @@ TEST(Core, AStateGoesOnInAnotherCoreAndACopyOfTheBytesIsACore) {
   expect_same(load_at(copy, 0.5), load_at(made().core, 0.5));
 }
 
-TEST(Core, BytesThatAreNotItsStateAreRefusedAndChangeNothing) {
-  const Made core = made(), other_seed = made(6);
-  load_at(core.core, 1.0);
-  load_at(other_seed.core, 1.0);
-  const std::vector<std::byte> good = state_of(core.core), foreign = state_of(other_seed.core);
-  EXPECT_EQ(bitrock_core_restore(core.core, foreign.data(), foreign.size()), BITROCK_BAD_STATE);
-  EXPECT_EQ(bitrock_core_restore(core.core, good.data(), good.size() - 1), BITROCK_BAD_STATE);
-  for (std::size_t at = 0; at < good.size(); at += 97) {
-    std::vector<std::byte> flipped = good;
-    flipped[at] ^= std::byte{4};
-    ASSERT_EQ(bitrock_core_restore(core.core, flipped.data(), flipped.size()), BITROCK_BAD_STATE) << at;
-  }
-  EXPECT_EQ(state_of(core.core), good);
-  std::byte small[8];
-  EXPECT_EQ(bitrock_core_save(core.core, small, sizeof(small)), BITROCK_BAD_MEMORY);
-}
-
 /// The bytes of a state, taken apart, changed and sealed again, as a stranger who knows the program can.
 struct OpenState {
+  struct Average {
+    double window, constant_since;
+    std::int64_t first, count;
+  };
   std::vector<std::byte> bytes;
   runtime::ClampTally clamps;
-  runtime::MovingAverage rotation, rate_of_penetration;
-  std::vector<runtime::CutterMemory> cutters;
+  runtime::DrawTally draws;
+  runtime::WindowMemory windows;
+  Average rotation, rate_of_penetration;
+  std::vector<double> time, rotation_value, rotation_integral, advance_value, advance_integral;
 
   static constexpr std::size_t sealed_from = 4 * sizeof(std::uint64_t);
 
+  std::size_t used() const {
+    std::uint64_t size = 0;
+    std::memcpy(&size, bytes.data() + sizeof(size), sizeof(size));
+    return size;
+  }
+
   explicit OpenState(std::vector<std::byte> state) : bytes(std::move(state)) {
-    const std::size_t fixed = sealed_from + sizeof(clamps) + sizeof(rotation) + sizeof(rate_of_penetration);
-    cutters.resize((bytes.size() - fixed) / sizeof(runtime::CutterMemory));
-    walk([](auto& part, std::byte* at) { std::memcpy(static_cast<void*>(&part), at, sizeof(part)); });
+    const std::size_t fixed = sealed_from + sizeof(clamps) + sizeof(draws) + sizeof(windows) + 2 * sizeof(Average);
+    for (std::vector<double>* list : lists()) list->resize((used() - fixed) / (5 * sizeof(double)));
+    walk([](void* part, std::byte* at, std::size_t size) { std::memcpy(part, at, size); });
+  }
+
+  std::array<std::vector<double>*, 5> lists() {
+    return {&time, &rotation_value, &rotation_integral, &advance_value, &advance_integral};
   }
 
   template <class Copy>
   void walk(const Copy& copy) {
     std::byte* at = bytes.data() + sealed_from;
-    const auto next = [&](auto& part) {
-      copy(part, at);
-      at += sizeof(part);
+    const auto next = [&](void* part, std::size_t size) {
+      copy(part, at, size);
+      at += size;
     };
-    next(clamps);
-    next(rotation);
-    next(rate_of_penetration);
-    for (runtime::CutterMemory& cutter : cutters) next(cutter);
-    ASSERT_EQ(at, bytes.data() + bytes.size());
+    next(&clamps, sizeof(clamps));
+    next(&draws, sizeof(draws));
+    next(&windows, sizeof(windows));
+    next(&rotation, sizeof(rotation));
+    next(&rate_of_penetration, sizeof(rate_of_penetration));
+    for (std::vector<double>* list : lists()) next(list->data(), list->size() * sizeof(double));
+    ASSERT_EQ(at, bytes.data() + used());
   }
 
   std::vector<std::byte> sealed() {
-    walk([](auto& part, std::byte* at) { std::memcpy(at, &part, sizeof(part)); });
-    std::array<std::uint64_t, 4> sums{1, 2, 3, bytes.size()};
-    for (std::size_t at = sealed_from, lane = 0; at < bytes.size(); at += 8, lane = (lane + 1) % 4) {
+    walk([](void* part, std::byte* at, std::size_t size) { std::memcpy(at, part, size); });
+    std::array<std::uint64_t, 4> sums{1, 2, 3, used()};
+    for (std::size_t at = sealed_from, lane = 0; at < used(); at += 8, lane = (lane + 1) % 4) {
       std::uint64_t word;
       std::memcpy(&word, bytes.data() + at, 8);
       sums[lane] = (sums[lane] ^ word) * 0x9e3779b97f4a7c15ULL;
@@ -324,6 +325,24 @@ struct OpenState {
     return bytes;
   }
 };
+
+TEST(Core, BytesThatAreNotItsStateAreRefusedAndChangeNothing) {
+  const Made core = made(), other_seed = made(6);
+  load_at(core.core, 1.0);
+  load_at(other_seed.core, 1.0);
+  const std::vector<std::byte> good = state_of(core.core), foreign = state_of(other_seed.core);
+  EXPECT_EQ(bitrock_core_restore(core.core, foreign.data(), foreign.size()), BITROCK_BAD_STATE);
+  EXPECT_EQ(bitrock_core_restore(core.core, good.data(), good.size() - 1), BITROCK_BAD_STATE);
+  const std::size_t used = OpenState(good).used();
+  for (std::size_t at = 0; at < used; at += 7) {
+    std::vector<std::byte> flipped = good;
+    flipped[at] ^= std::byte{4};
+    ASSERT_EQ(bitrock_core_restore(core.core, flipped.data(), flipped.size()), BITROCK_BAD_STATE) << at;
+  }
+  EXPECT_EQ(state_of(core.core), good);
+  std::byte small[8];
+  EXPECT_EQ(bitrock_core_save(core.core, small, sizeof(small)), BITROCK_BAD_MEMORY);
+}
 
 TEST(Core, AStateIsLookedAtAlsoWhenItsChecksumFits) {
   const Made core = made();
@@ -347,33 +366,23 @@ TEST(Core, AStateIsLookedAtAlsoWhenItsChecksumFits) {
   }
   refused("first of a ring that is not full", [](OpenState& s) { s.rotation.first = s.rate_of_penetration.first = 3; });
   refused("averages of other lengths", [](OpenState& s) { s.rotation.count -= 1; });
-  refused("averages of other times", [](OpenState& s) { s.rotation.time[3] += 1e-4; });
-  refused("times that fall", [](OpenState& s) { s.rotation.time[3] = s.rate_of_penetration.time[3] = -1.0; });
+  refused("averages of other beginnings", [](OpenState& s) { s.rotation.first += 1; });
+  refused("times that fall", [](OpenState& s) { s.time[3] = -1.0; });
   refused("another window", [](OpenState& s) { s.rotation.window = 1e-300; });
   for (const double wrong : {not_a_number, infinite, -infinite}) {
-    refused("time", [=](OpenState& s) { s.rotation.time[2] = s.rate_of_penetration.time[2] = wrong; });
-    refused("value", [=](OpenState& s) { s.rotation.value[0] = wrong; });
-    refused("integral", [=](OpenState& s) { s.rate_of_penetration.integral[1] = wrong; });
-    refused("amax", [=](OpenState& s) { s.cutters[1].statistics[0].x.amax = wrong; });
-    refused("np1", [=](OpenState& s) { s.cutters[2].statistics[3].y.np1 = wrong; });
+    refused("time", [=](OpenState& s) { s.time[2] = wrong; });
+    refused("value", [=](OpenState& s) { s.rotation_value[0] = wrong; });
+    refused("integral", [=](OpenState& s) { s.advance_integral[1] = wrong; });
+    refused("rotation", [=](OpenState& s) { s.windows.rotation[1] = wrong; });
+    refused("advance", [=](OpenState& s) { s.windows.rate_of_penetration[2] = wrong; });
   }
-  refused("a height below 0", [](OpenState& s) { s.cutters[0].statistics[1].x.amax = -1.0; });
-  refused("a mean above the largest", [](OpenState& s) { s.cutters[0].statistics[1].y.amean = 1e9; });
   refused("a count below 0", [](OpenState& s) { s.clamps.asked = -5; });
-  refused("a tally below 0", [](OpenState& s) { s.cutters[1].tally.drawn = -5; });
-  refused("a window out of place", [](OpenState& s) {
-    for (runtime::CutterMemory& cutter : s.cutters) ++cutter.kept[2];
-  });
-  refused("a window that no angle reaches", [](OpenState& s) {
-    for (runtime::CutterMemory& cutter : s.cutters) cutter.entered = std::numeric_limits<std::int64_t>::max();
-  });
-  refused("a window entered without being drawn", [](OpenState& s) {
-    for (runtime::CutterMemory& cutter : s.cutters) cutter.entered += 7;
-  });
-  refused("windows without a beginning", [](OpenState& s) {
-    for (runtime::CutterMemory& cutter : s.cutters) cutter.entered = runtime::no_window;
-  });
-  refused("cutters in different windows", [](OpenState& s) { s.cutters[1] = runtime::CutterMemory{}; });
+  refused("a tally below 0", [](OpenState& s) { s.draws.drawn = -5; });
+  refused("a window out of place", [](OpenState& s) { ++s.windows.kept[2]; });
+  refused("a window that no angle reaches",
+          [](OpenState& s) { s.windows.entered = std::numeric_limits<std::int64_t>::max(); });
+  refused("a window entered without being drawn", [](OpenState& s) { s.windows.entered += 7; });
+  refused("windows without a beginning", [](OpenState& s) { s.windows.entered = runtime::no_window; });
 }
 
 TEST(Core, TwoCoresDoNotKnowOfEachOther) {

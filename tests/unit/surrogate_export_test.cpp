@@ -63,7 +63,7 @@ std::vector<CutConditions> questions(const Model& model, int count) {
 }
 
 struct Answer {
-  std::array<double, surrogate::output_count> statistics{};
+  std::array<double, surrogate::article_output_count> statistics{};
   bool inside = false;
 };
 
@@ -96,7 +96,7 @@ std::vector<Answer> answers(const scratch::Folder& folder, const std::string& pr
 void expect_predicted(const Model& model, const std::vector<CutConditions>& asked, const std::vector<Answer>& given) {
   ASSERT_EQ(given.size(), asked.size());
   int inside = 0;
-  std::array<int, surrogate::output_count> positive{};
+  std::array<int, surrogate::article_output_count> positive{};
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const surrogate::Prediction expected = surrogate::predict(model, asked[i]);
     const auto statistics = surrogate::listed(expected);

@@ -12,8 +12,8 @@ using namespace bitrock;
 
 namespace {
 
+using surrogate::article_output_count;
 using surrogate::averaged;
-using surrogate::output_count;
 using surrogate::TrainingData;
 using surrogate::TrainingRow;
 using surrogate_fixture::features_header;
@@ -107,7 +107,7 @@ TEST(SurrogateScatter, FindsTheLawThatWasPutIn) {
     }
   }
   const surrogate::ScatterLaw law = surrogate::scatter_law(averaged(read_text(text)).rows);
-  for (std::size_t i = 0; i < output_count; ++i) {
+  for (std::size_t i = 0; i < article_output_count; ++i) {
     const double expected = i % 5 < 2 ? 0.12 * 0.12 : 1.0;
     EXPECT_NEAR(law.phi[i] / expected, 1.0, 0.24) << i;
   }

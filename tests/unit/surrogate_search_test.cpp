@@ -30,14 +30,14 @@ TEST(SurrogateBaseline, FindsTheParabolaThatWasPutIn) {
       TrainingRow row{.inputs = {1.0, depth, rake}};
       const double theta = rake * surrogate::radians_per_degree;
       const double parabola = 2.0 + 3.0 * theta + 5.0 * theta * theta;
-      for (std::size_t i = 0; i < surrogate::output_count; ++i) {
+      for (std::size_t i = 0; i < surrogate::article_output_count; ++i) {
         row.outputs[i] = static_cast<double>(i + 1) * parabola * (i % 5 < 2 ? depth : 1.0 / depth);
       }
       rows.push_back(row);
     }
   }
   const surrogate::Baseline baseline = surrogate::fit_baseline(rows);
-  for (std::size_t i = 0; i < surrogate::output_count; ++i) {
+  for (std::size_t i = 0; i < surrogate::article_output_count; ++i) {
     const double factor = static_cast<double>(i + 1);
     EXPECT_NEAR(baseline.coefficients[i][0], 2.0 * factor, 1e-11);
     EXPECT_NEAR(baseline.coefficients[i][1], 3.0 * factor, 1e-10);

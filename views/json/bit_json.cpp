@@ -17,7 +17,9 @@ nlohmann::json as_json(const runtime::DrawTally& draws) {
           {"mean_missed", draws.mean_missed},
           {"band_left", draws.band_left},
           {"narrowed", draws.narrowed},
-          {"capped", draws.capped}};
+          {"capped", draws.capped},
+          {"length_clamped", draws.length_clamped},
+          {"correlation_clamped", draws.correlation_clamped}};
 }
 
 }  // namespace bitrock::views

@@ -64,10 +64,17 @@ double residual_axis(const std::vector<views::Residual>& residuals) {
 
 struct Direction {
   const char *file_ending, *words;
-  std::size_t first;  ///< output
+  std::size_t first, last;  ///< outputs from the first to before the last
 };
-constexpr std::array<Direction, 2> directions{
-    {{"x", "Cutting force x", 0}, {"y", "Axial force y", surrogate::statistics_count}}};
+constexpr std::size_t ten = surrogate::article_output_count;
+constexpr std::array<Direction, 3> directions{{{"x", "Cutting force x", 0, surrogate::statistics_count},
+                                               {"y", "Axial force y", surrogate::statistics_count, ten},
+                                               {"moments", "What rebuilds the force", ten, surrogate::most_outputs}}};
+
+/// Those whose outputs are there.
+std::span<const Direction> shown_directions(const surrogate::Parity& parity) {
+  return std::span(directions).first(parity.outputs.size() > ten ? 3 : 2);
+}
 
 report::Figure parity_figure(const surrogate::Parity& parity, const Direction& direction) {
   report::Figure figure{.name = fmt::format("parity_{}", direction.file_ending),
@@ -76,7 +83,7 @@ report::Figure parity_figure(const surrogate::Parity& parity, const Direction& d
                             "is 15 % to either side. Error bars: standard error of the DEM mean, from the seeds of "
                             "that case alone.",
                             direction.words)};
-  for (std::size_t k = direction.first; k < direction.first + surrogate::statistics_count; ++k) {
+  for (std::size_t k = direction.first; k < direction.last; ++k) {
     figure.plots.push_back(parity_plot(parity.outputs[k], shown(parity.outputs[k], k)));
   }
   return figure;
@@ -88,7 +95,7 @@ report::Figure residual_figure(const surrogate::Parity& parity, const Direction&
       .caption = fmt::format("{}: network minus DEM in units of the standard error of the DEM mean (by the law of "
                              "scatter). A trend is the network's fault; a cloud within 2 is noise.",
                              direction.words)};
-  for (std::size_t k = direction.first; k < direction.first + surrogate::statistics_count; ++k) {
+  for (std::size_t k = direction.first; k < direction.last; ++k) {
     const surrogate::OutputParity& output = parity.outputs[k];
     for (std::size_t input = 0; input < surrogate::input_count; ++input) {
       const std::vector<views::Residual> seen = residuals(output, input);
@@ -106,7 +113,7 @@ report::Figure histogram_figure(const surrogate::Parity& parity, const Direction
       .caption = fmt::format("{}: the same residuals counted. Were noise all that is left, those held out would follow "
                              "the standard normal. The last columns hold all that lies beyond.",
                              direction.words)};
-  for (std::size_t k = direction.first; k < direction.first + surrogate::statistics_count; ++k) {
+  for (std::size_t k = direction.first; k < direction.last; ++k) {
     const std::vector<views::Residual> seen = residuals(parity.outputs[k], 0);
     if (!seen.empty()) figure.plots.push_back(views::residual_histogram(shown(parity.outputs[k], k).name, seen));
   }
@@ -117,6 +124,12 @@ report::Figure histogram_figure(const surrogate::Parity& parity, const Direction
 
 ShownOutput shown(const surrogate::OutputParity& output, std::size_t index) {
   constexpr const char* statistics[] = {"A_max", "A_mean", "NP1", "NP23", "NP4"};
+  constexpr const char* moments[] = {"Fx mean", "Fx sd", "Fy mean", "Fy sd", "correlation length", "correlation xy"};
+  if (index >= ten) {
+    const std::string moment = moments[index - ten];
+    if (output.unit == "N/m") return {moment, "kN/m", 1e-3};
+    return output.unit == "m" ? ShownOutput{moment, "mm", 1e3} : ShownOutput{moment, output.unit, 1.0};
+  }
   const std::string force = index < surrogate::statistics_count ? "Fx " : "Fy ";
   const std::string name = force + statistics[index % surrogate::statistics_count];
   if (output.unit == "N/m") return {name, "kN/m", 1e-3};
@@ -125,14 +138,14 @@ ShownOutput shown(const surrogate::OutputParity& output, std::size_t index) {
 
 std::vector<report::Figure> parity_figures(const surrogate::Parity& parity) {
   std::vector<report::Figure> figures;
-  for (const Direction& direction : directions) figures.push_back(parity_figure(parity, direction));
+  for (const Direction& direction : shown_directions(parity)) figures.push_back(parity_figure(parity, direction));
   return figures;
 }
 
 std::vector<report::Figure> residual_figures(const surrogate::Parity& parity) {
   std::vector<report::Figure> figures;
   for (const auto& make : {residual_figure, histogram_figure}) {
-    for (const Direction& direction : directions) {
+    for (const Direction& direction : shown_directions(parity)) {
       report::Figure figure = make(parity, direction);
       if (!figure.plots.empty()) figures.push_back(std::move(figure));
     }

@@ -8,8 +8,8 @@ namespace {
 constexpr double lowest_drawn_error = 1e-8;
 
 report::Plot learning_plot(const surrogate::Model& model, const std::string& title, std::size_t from, std::size_t to) {
-  constexpr report::Colour colours[] = {report::Colour::blue, report::Colour::vermillion, report::Colour::green,
-                                        report::Colour::purple, report::Colour::orange};
+  constexpr report::Colour colours[] = {report::Colour::blue,   report::Colour::vermillion, report::Colour::green,
+                                        report::Colour::purple, report::Colour::orange,     report::Colour::sky};
   report::Plot plot{.title = title, .x_label = "epoch", .y_label = "mean squared error [scaled, 1]", .log_y = true};
   for (std::size_t k = from; k < to; ++k) {
     const surrogate::OutputModel& output = model.outputs[k];
@@ -31,9 +31,14 @@ report::Plot learning_plot(const surrogate::Model& model, const std::string& tit
 }  // namespace
 
 void add_learning_curves(report::Page& page, const surrogate::Model& model) {
-  page.plots_in_row({learning_plot(model, "Cutting force x", 0, surrogate::statistics_count),
-                     learning_plot(model, "Axial force y", surrogate::statistics_count, surrogate::output_count)},
-                    "Mean squared error over the epochs. Solid: cases learnt from. Dashed: test cases.");
+  page.plots_in_row(
+      {learning_plot(model, "Cutting force x", 0, surrogate::statistics_count),
+       learning_plot(model, "Axial force y", surrogate::statistics_count, surrogate::article_output_count)},
+      "Mean squared error over the epochs. Solid: cases learnt from. Dashed: test cases.");
+  if (surrogate::has_moments(model))
+    page.plots_in_row(
+        {learning_plot(model, "What rebuilds the force", surrogate::article_output_count, surrogate::most_outputs)},
+        "The same of the networks of mean, standard deviation, correlation length and correlation.");
 }
 
 }  // namespace bitrock::views

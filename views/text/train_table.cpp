@@ -23,7 +23,8 @@ std::string search_table(const surrogate::Search& search) {
       "{}-fold cross-validation over {} cases: root mean square errors on cases not learnt from, in standard errors of "
       "the data (1 is perfect)\n  {:<58} {:>6} {:>16}",
       search.folds, search.cases, "kind", "all", "gain");
-  for (const auto& name : surrogate::output_names) table += fmt::format(" {:>7}", short_name(name.name));
+  const std::size_t count = search.results.empty() ? 0 : search.results.front().errors.size();
+  for (std::size_t i = 0; i < count; ++i) table += fmt::format(" {:>7}", short_name(surrogate::output_names[i].name));
   table += "\n";
   for (const surrogate::CandidateResult& result : search.results) {
     const std::string gain =
@@ -41,10 +42,11 @@ std::string training_table(const surrogate::Model& model) {
                                   model.provenance.train_cases.size(),
                                   validation > 0 ? fmt::format("{} to say when to stop, ", validation) : "",
                                   model.provenance.test_cases.size());
+  const int width = surrogate::has_moments(model) ? 21 : 16;  // of the longest name
   for (const surrogate::OutputModel& output : model.outputs) {
     const surrogate::LearningPoint& last = output.learning_curve.back();
-    table += fmt::format("  {:<16} train {:.3e}   test {:.3e}   epoch {} of {}   restarts {}\n", output.variable.name,
-                         last.train_mse, last.test_mse, output.best_epoch, last.epoch, output.restarts);
+    table += fmt::format("  {:<{}} train {:.3e}   test {:.3e}   epoch {} of {}   restarts {}\n", output.variable.name,
+                         width, last.train_mse, last.test_mse, output.best_epoch, last.epoch, output.restarts);
   }
   return table;
 }

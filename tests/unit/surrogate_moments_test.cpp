@@ -1,0 +1,123 @@
+// Models of sixteen outputs: the six behind the article's ten are there when the data have them, leave the ten as they
+// are, and come back from a file. The data are made up: smooth functions of speed, depth and rake with some scatter.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/errors.hpp"
+#include "base/files.hpp"
+#include "surrogate/net/model_file.hpp"
+#include "surrogate/train/parity.hpp"
+#include "surrogate/train/train.hpp"
+#include "tests/scratch.hpp"
+
+using namespace bitrock;
+
+namespace {
+
+enum class Columns { ten, sixteen, without_length };
+
+/// 27 cases of two seeds.
+std::string table(Columns columns) {
+  std::string text =
+      "case,seed,cutter_speed_m_per_s,depth_of_cut_mm,back_rake_deg,cut_length_m,"
+      "x_amax_N_per_m,x_amean_N_per_m,x_np1,x_np23,x_np4,y_amax_N_per_m,y_amean_N_per_m,y_np1,y_np23,y_np4,"
+      "x_mean_N_per_m,y_mean_N_per_m";
+  if (columns != Columns::ten) text += ",x_sd_N_per_m,y_sd_N_per_m,xy_correlation";
+  if (columns == Columns::sixteen) text += ",correlation_length_mm";
+  text += "\n";
+  int number = 0;
+  for (const double v : {0.5, 1.0, 2.0}) {
+    for (const double d : {0.5, 1.0, 2.0}) {
+      for (const double rake : {10.0, 20.0, 30.0}) {
+        ++number;
+        for (const int seed : {1, 2}) {
+          const double size = (1.0 + 0.05 * seed) * d * (1.0 + 0.01 * rake) * (1.0 + 0.1 * v);
+          const double mean = 4e4 * size, sd = mean * (1.9 - 0.4 * d);
+          text += std::to_string(number) + "," + std::to_string(seed);
+          for (const double value : {v, d, rake, 0.05, 3e5 * size, 1e5 * size, 2.0, 6.0, 9.0, 2e5 * size, 0.8e5 * size,
+                                     2.0, 5.0, 8.0, mean, 0.8 * mean}) {
+            text += "," + std::to_string(value);
+          }
+          if (columns != Columns::ten) {
+            for (const double value : {sd, 0.9 * sd, number == 3 ? -0.01 : 0.7 + 0.005 * rake})
+              text += "," + std::to_string(value);
+          }
+          if (columns == Columns::sixteen) text += "," + std::to_string(0.2 + 0.3 * d);
+          text += "\n";
+        }
+      }
+    }
+  }
+  return text;
+}
+
+surrogate::TrainingData data_of(Columns columns) {
+  const scratch::Folder folder("moments");
+  base::write_whole(folder / "features.csv", table(columns));
+  return surrogate::read_training_data(folder / "features.csv");
+}
+
+surrogate::Model trained(const surrogate::TrainingData& data) {
+  return surrogate::train(data, {.epochs = 60, .learning_rate = 0.01, .log_targets = false});
+}
+
+TEST(SurrogateMoments, AreReadInUnitsOfTheModel) {
+  const surrogate::TrainingData data = data_of(Columns::sixteen);
+  ASSERT_EQ(surrogate::output_count(data), 16u);
+  const surrogate::Outputs& first = data.rows.front().outputs;
+  EXPECT_NEAR(first[14], 0.35e-3, 1e-12);  // [m]
+  EXPECT_NEAR(first[11] / first[10], 1.7, 1e-6);
+  EXPECT_EQ(data.rows[4].outputs[15], 0.0);  // below 0 in the file
+  const surrogate::TrainingData means = surrogate::averaged(data);
+  EXPECT_EQ(surrogate::output_count(means), 16u);
+  EXPECT_GT((*means.rows.front().standard_errors)[13], 0.0);
+  EXPECT_EQ(surrogate::output_count(data_of(Columns::ten)), 10u);
+  EXPECT_THROW(data_of(Columns::without_length), base::InputError);
+}
+
+TEST(SurrogateMoments, LeaveTheTenAsTheyAre) {
+  const surrogate::Model ten = trained(data_of(Columns::ten)), sixteen = trained(data_of(Columns::sixteen));
+  ASSERT_EQ(ten.outputs.size(), 10u);
+  ASSERT_EQ(sixteen.outputs.size(), 16u);
+  EXPECT_TRUE(surrogate::has_moments(sixteen));
+  for (std::size_t i = 0; i < 10; ++i)
+    EXPECT_EQ(ten.outputs[i].network.parameters, sixteen.outputs[i].network.parameters);
+}
+
+TEST(SurrogateMoments, AreLearntAndComeBackFromTheFile) {
+  const surrogate::TrainingData data = data_of(Columns::sixteen);
+  const surrogate::Model model = trained(data);
+  const std::string text = surrogate::model_text(model);
+  EXPECT_EQ(surrogate::model_text(surrogate::model_from_text(text, "model")), text);
+  const surrogate::CutConditions conditions{1.0, 1e-3, 0.35};
+  const surrogate::Prediction prediction = predict(model, conditions);
+  ASSERT_TRUE(prediction.has_moments);
+  const surrogate::OutputValues values = listed(prediction);
+  ASSERT_EQ(values.size(), 16u);
+  EXPECT_NEAR(values[14], 0.5e-3, 0.2e-3);
+  EXPECT_EQ(values[10], prediction.moments[0]);
+  const surrogate::Parity parity = surrogate::parity(model, data);
+  ASSERT_EQ(parity.outputs.size(), 16u);
+  EXPECT_EQ(parity.outputs[15].name, "xy_correlation");
+  EXPECT_EQ(surrogate::parity(model, data_of(Columns::ten)).outputs.size(), 10u);
+}
+
+TEST(SurrogateMoments, FifteenOutputsAreNoModel) {
+  const surrogate::Model model = trained(data_of(Columns::sixteen));
+  surrogate::Model short_one = model;
+  short_one.outputs.pop_back();
+  EXPECT_THROW(surrogate::model_from_text(surrogate::model_text(short_one), "model"), base::InputError);
+}
+
+TEST(SurrogateMoments, AStartModelMustFitTheData) {
+  const surrogate::Model ten = trained(data_of(Columns::ten)), sixteen = trained(data_of(Columns::sixteen));
+  surrogate::TrainOptions options{.epochs = 2, .log_targets = false};
+  options.init_from = &sixteen;
+  EXPECT_THROW(surrogate::train(data_of(Columns::ten), options), base::InputError);
+  options.init_from = &ten;
+  EXPECT_EQ(surrogate::train(data_of(Columns::sixteen), options).outputs.size(), 10u);
+}
+
+}  // namespace
