@@ -201,6 +201,37 @@ TrainingRow mean_of(const std::vector<const TrainingRow*>& rows) {
   return mean;
 }
 
+/// Of one row.
+PeakCounting counting_of(const base::CsvTable& table, std::size_t row) {
+  const auto number = [&](const char* name) { return cell(table, name, row, not_negative()); };
+  PeakCounting counting{.smoothing_um = number("peak_smoothing_um"),
+                        .min_prominence = number("peak_min_prominence"),
+                        .min_distance_mm = number("peak_min_distance_mm")};
+  if (counting.smoothing_um == 0.0 && table.has("sampling_um")) counting.sampling_um = number("sampling_um");
+  return counting;
+}
+
+std::string in_words(const std::optional<PeakCounting>& counting) {
+  if (!counting) return "in a way that the table does not say";
+  return fmt::format("with smoothing {:g} um, prominence {:g}, distance {:g} mm{}", counting->smoothing_um,
+                     counting->min_prominence, counting->min_distance_mm,
+                     counting->sampling_um > 0.0 ? fmt::format(", samples every {:g} um", counting->sampling_um) : "");
+}
+
+/// The same for all rows.
+std::optional<PeakCounting> counting_of(const base::CsvTable& table) {
+  if (!table.has("peak_smoothing_um")) return std::nullopt;
+  const PeakCounting first = counting_of(table, 0);
+  for (std::size_t row = 1; row < table.rows(); ++row) {
+    if (counting_of(table, row) == first) continue;
+    throw base::InputError(fmt::format(
+        "{}:{}: peaks are counted {} (line {}: {}; numbers of both do not mix: make the "
+        "table anew with bitrock campaign features)",
+        table.source, table.lines[row], in_words(counting_of(table, row)), table.lines[0], in_words(first)));
+  }
+  return first;
+}
+
 }  // namespace
 
 TrainingData read_training_data(const std::filesystem::path& path) {
@@ -210,6 +241,7 @@ TrainingData read_training_data(const std::filesystem::path& path) {
   data.file = path.filename().string();
   data.fingerprint = base::fingerprint_text(base::read_whole(path));
   data.has_seeds = table.has("seed");
+  data.counting = counting_of(table);
   const std::size_t outputs = has_moments(table) ? most_outputs : article_output_count;
   for (std::size_t row = 0; row < table.rows(); ++row)
     data.rows.push_back(read_row(table, row, data.has_seeds, outputs));
@@ -220,7 +252,11 @@ TrainingData read_training_data(const std::filesystem::path& path) {
 TrainingData joined(const std::vector<TrainingData>& tables) {
   if (tables.empty()) throw base::InputError("no data to learn from (name at least one table)");
   if (tables.size() == 1) return tables.front();
-  TrainingData all{.file = {}, .fingerprint = {}, .has_seeds = tables.front().has_seeds, .rows = {}};
+  TrainingData all{.file = {},
+                   .fingerprint = {},
+                   .has_seeds = tables.front().has_seeds,
+                   .rows = {},
+                   .counting = tables.front().counting};
   std::string fingerprints;
   int first_case = 0;
   for (const TrainingData& table : tables) {
@@ -235,6 +271,12 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
           fmt::format("{} and {}: one has the columns of mean, sd, correlation length and correlation, the other has "
                       "not (collect both anew, or leave one out)",
                       tables.front().file, table.file));
+    }
+    if (table.counting != all.counting) {
+      throw base::InputError(
+          fmt::format("{} and {}: peaks are counted {}, and {} (numbers of both do not mix: make the tables anew with "
+                      "bitrock campaign features)",
+                      tables.front().file, table.file, in_words(all.counting), in_words(table.counting)));
     }
     for (const DataPart& part : all.parts) {
       if (part.fingerprint == table.fingerprint)

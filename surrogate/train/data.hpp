@@ -28,12 +28,23 @@ struct TrainingRow {
   int line = 0;                              ///< in the file, the first one of a mean
 };
 
+/// How the peaks of a table were counted, where it says so (peaks/definition.hpp). Counts of two ways do not mix.
+struct PeakCounting {
+  double smoothing_um = 0.0;
+  double min_prominence = 0.0;  ///< [1]
+  double min_distance_mm = 0.0;
+  double sampling_um = 0.0;  ///< without smoothing, where counts depend on it; 0 otherwise
+
+  bool operator==(const PeakCounting&) const = default;
+};
+
 struct TrainingData {
-  std::string file;               ///< name without folder
-  std::string fingerprint;        ///< `base::fingerprint_text` of the file's bytes
-  bool has_seeds = false;         ///< the file has a seed column
-  std::vector<TrainingRow> rows;  ///< of all tables
-  std::vector<DataPart> parts{};  ///< when it was several files
+  std::string file;                        ///< name without folder
+  std::string fingerprint;                 ///< `base::fingerprint_text` of the file's bytes
+  bool has_seeds = false;                  ///< the file has a seed column
+  std::vector<TrainingRow> rows;           ///< of all tables
+  std::vector<DataPart> parts{};           ///< when it was several files
+  std::optional<PeakCounting> counting{};  ///< empty where the tables do not say
 };
 
 /// Needs the columns case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, and for x and y
@@ -43,8 +54,9 @@ struct TrainingData {
 /// correlation below 0, which only noise can make, counts as 0. (A mean alone makes no output: older tables have it.)
 /// Throws `base::InputError` with file and line for: a case or seed that is no whole number, speed, depth or length of
 /// cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts, numbers beyond 1e12 or below
-/// 1e-12, a mean height of peaks above the highest, a case and seed that come twice (without seeds: a case that comes
-/// twice), one case with two conditions, fewer than two cases.
+/// 1e-12, a mean height of peaks above the highest, rows whose peaks were counted in different ways (columns
+/// peak_smoothing_um, peak_min_prominence, peak_min_distance_mm, sampling_um), a case and seed that come twice (without
+/// seeds: a case that comes twice), one case with two conditions, fewer than two cases.
 TrainingData read_training_data(const std::filesystem::path& path);
 
 /// The same of several files, `joined`.
@@ -52,7 +64,7 @@ TrainingData read_training_data(const std::vector<std::string>& paths);
 
 /// Several tables as one: the cases of a later table get numbers above those of the earlier ones. One table stays what
 /// it is. Throws `InputError` when there is none, when one comes twice, or when some have seeds, or the six outputs
-/// behind the article's ten, and others have not.
+/// behind the article's ten, and others have not, or when peaks were counted in different ways.
 TrainingData joined(const std::vector<TrainingData>& tables);
 
 /// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of

@@ -18,6 +18,10 @@ const std::string row_1_1 = "1,1,0.5,2,15,0.05,0.1,1000,400,3,7,10,500,200,2,5,9
 const std::string row_1_2 = "1,2,0.5,2,15,0.04,0.1,1100,410,4,6,10,510,210,3,5,9\n";
 const std::string row_2_1 = "2,1,1.5,2,15,0.15,0.1,1000,400,3,7,10,500,200,2,5,9\n";
 
+std::vector<double> listed(const surrogate::Outputs& outputs) {
+  return {outputs.begin(), outputs.end()};
+}
+
 /// The message for a file of these rows, from its name on; the file is features.csv.
 std::string message(const std::string& text) {
   const std::string all = surrogate_fixture::refusal([&] { read_text(text); });
@@ -36,8 +40,8 @@ TEST(SurrogateData, ReadsRowsAndTakesCountsPerMetre) {
   EXPECT_EQ(data.rows[1].seed, 2);
   EXPECT_EQ(data.rows[1].line, 3);
   EXPECT_EQ(data.rows[0].inputs, (std::array<double, 3>{0.5, 2.0, 15.0}));
-  EXPECT_EQ(data.rows[0].outputs,
-            (std::array<double, 10>{1000, 400, 3 / 0.05, 7 / 0.05, 10 / 0.05, 500, 200, 2 / 0.05, 5 / 0.05, 9 / 0.05}));
+  EXPECT_EQ(listed(data.rows[0].outputs),
+            (std::vector<double>{1000, 400, 3 / 0.05, 7 / 0.05, 10 / 0.05, 500, 200, 2 / 0.05, 5 / 0.05, 9 / 0.05}));
   EXPECT_EQ(surrogate::case_numbers(data), (std::vector<int>{1, 2}));
 }
 
@@ -50,7 +54,7 @@ TEST(SurrogateData, TakesAMeanFileWithoutSeedsAndWithOtherColumnsInOtherOrder) {
       "3,9,0.5,-10,0.5,12,0.7,11,13,14,15,17,16,18,19,20,3\n");
   EXPECT_FALSE(data.has_seeds);
   EXPECT_EQ(data.rows[0].inputs, (std::array<double, 3>{0.5, 2.0, -10.0}));
-  EXPECT_EQ(data.rows[0].outputs, (std::array<double, 10>{12, 11, 26, 28, 30, 17, 16, 36, 38, 40}));
+  EXPECT_EQ(listed(data.rows[0].outputs), (std::vector<double>{12, 11, 26, 28, 30, 17, 16, 36, 38, 40}));
 }
 
 TEST(SurrogateData, ColumnsAndNumbersMustBeThere) {
@@ -72,6 +76,35 @@ TEST(SurrogateData, ColumnsAndNumbersMustBeThere) {
             "features.csv:2: column back_rake_deg: 'x' is not a number");
   EXPECT_EQ(message(features_header + "1,1,0.5,2,15,0.05,0.1,nan,400,3,7,10,500,200,2,5,9\n"),
             "features.csv:2: column x_amax_N_per_m: nan (only finite numbers are allowed)");
+}
+
+/// The rows with the columns that say how their peaks were counted.
+std::string counted(const std::vector<std::pair<std::string, std::string>>& rows) {
+  std::string text = features_header;
+  text.insert(text.size() - 1, ",sampling_um,peak_smoothing_um,peak_min_prominence,peak_min_distance_mm");
+  for (const auto& [row, counting] : rows) text += row.substr(0, row.size() - 1) + "," + counting + "\n";
+  return text;
+}
+
+TEST(SurrogateData, PeaksThatWereCountedInDifferentWaysDoNotMix) {
+  const std::string converging = "20,40,0.02,0", article = "20,0,0,0", finer = "10,0,0,0";
+  const TrainingData good = read_text(counted({{row_1_1, converging}, {row_2_1, "10,40,0.02,0"}}));
+  ASSERT_TRUE(good.counting.has_value());
+  EXPECT_EQ(good.counting->smoothing_um, 40.0);
+  EXPECT_EQ(good.counting->sampling_um, 0.0) << "smoothed peaks do not depend on it";
+  EXPECT_EQ(message(counted({{row_1_1, converging}, {row_2_1, article}})),
+            "features.csv:3: peaks are counted with smoothing 0 um, prominence 0, distance 0 mm, samples every 20 um "
+            "(line 2: with smoothing 40 um, prominence 0.02, distance 0 mm; numbers of both do not mix: make the table "
+            "anew with bitrock campaign features)");
+  EXPECT_NE(message(counted({{row_1_1, article}, {row_2_1, finer}})).find("samples every 10 um"), std::string::npos);
+  const TrainingData silent = read_text(features_header + row_1_2 + row_2_1);
+  EXPECT_FALSE(silent.counting.has_value());
+  EXPECT_NE(surrogate_fixture::refusal([&] {
+              surrogate::joined({good, silent});
+            }).find("in a way that the table does not say (numbers of both do not mix"),
+            std::string::npos);
+  const TrainingData same = read_text(counted({{row_1_2, converging}, {row_2_1, converging}}));
+  EXPECT_EQ(surrogate::joined({good, same}).counting, good.counting);
 }
 
 TEST(SurrogateData, ARowCutShortIsRefused) {

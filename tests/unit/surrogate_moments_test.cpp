@@ -60,7 +60,7 @@ surrogate::TrainingData data_of(Columns columns) {
 }
 
 surrogate::Model trained(const surrogate::TrainingData& data) {
-  return surrogate::train(data, {.epochs = 60, .learning_rate = 0.01, .log_targets = false});
+  return surrogate::train(data, {.log_targets = false, .epochs = 60, .learning_rate = 0.01});
 }
 
 TEST(SurrogateMoments, AreReadInUnitsOfTheModel) {
@@ -113,7 +113,7 @@ TEST(SurrogateMoments, FifteenOutputsAreNoModel) {
 
 TEST(SurrogateMoments, AStartModelMustFitTheData) {
   const surrogate::Model ten = trained(data_of(Columns::ten)), sixteen = trained(data_of(Columns::sixteen));
-  surrogate::TrainOptions options{.epochs = 2, .log_targets = false};
+  surrogate::TrainOptions options{.log_targets = false, .epochs = 2};
   options.init_from = &sixteen;
   EXPECT_THROW(surrogate::train(data_of(Columns::ten), options), base::InputError);
   options.init_from = &ten;
