@@ -219,6 +219,7 @@ void save(const Slave& slave, char* state) {
                  .settings = slave.settings,
                  .moment = slave.moment};
   head.checksum = checksum(head);
+  std::memset(state, 0, size);  // the core leaves the room of averages it does not have
   std::memcpy(state, &head, sizeof(head));
   bitrock_core_save(slave.core, state + sizeof(head), size - sizeof(head));
 }

@@ -207,7 +207,7 @@ TEST_F(Campaign, RowsMadeElsewhereAreNotMadeAgain) {
   base::write_whole(dir / "rows.csv", rows + rows.substr(rows.find("\n1,") + 1, rows.find("\n2,") - rows.find("\n1,")));
   const auto outcome = run("campaign run --accept " + (dir / "rows.csv").string() + " " + in("second"));
   EXPECT_EQ(outcome.status, 0) << outcome.text;
-  EXPECT_NE(outcome.text.find("rows.csv: 5 rows accepted, 0 of no job"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("rows.csv: 5 cuts accepted, 0 of no job"), std::string::npos) << outcome.text;
   EXPECT_NE(outcome.text.find("[1/1] case 6 seed 3"), std::string::npos) << outcome.text;
   EXPECT_EQ(status("second")["done"], 6);
   EXPECT_EQ(features("second"), expected);

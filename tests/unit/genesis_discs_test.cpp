@@ -123,7 +123,7 @@ TEST_F(DiscsFile, OriginSurvivesTheSpecimenFile) {
 
 TEST_F(DiscsFile, RefusesWhatIsNoRock) {
   const std::string good = square_lattice();
-  expect_refused("x_m,y_m,radius_mm\n0,0,1\n", "column radius_m is missing");
+  expect_refused("x_m,y_m,radius_mm\n0,0,1\n", "a column is missing: radius_m");
   expect_refused("x_m,y_m,radius_m\n0,0,0.001\n0.002,0,0.001\n", "2 discs (at least 10 are needed)");
   expect_refused(good + "-0.0005,0.1,7,0.1\n",
                  "discs.csv:14: radius_m = -0.0005 (must be at least 1e-06 and at most 1)");
