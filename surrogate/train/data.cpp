@@ -52,7 +52,7 @@ void require_columns(const base::CsvTable& table) {
   std::vector<std::string> needed{"case"};
   for (const VariableName& input : input_names) needed.emplace_back(input.name);
   needed.emplace_back("cut_length_m");
-  needed.insert(needed.end(), output_columns.begin(), output_columns.begin() + 2 * statistics_count);
+  needed.insert(needed.end(), output_columns.begin(), output_columns.begin() + article_output_count);
   table.require(needed);
 }
 
@@ -302,6 +302,7 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
 
 TrainingData read_training_data(const std::vector<std::string>& paths) {
   std::vector<TrainingData> tables;
+  tables.reserve(paths.size());
   for (const std::string& path : paths) tables.push_back(read_training_data(std::filesystem::path(path)));
   return joined(tables);
 }

@@ -7,6 +7,7 @@
 #include "dem2d/files/specimen_file.hpp"
 #include "runtime/drillstring/drill_file.hpp"
 #include "runtime/drillstring/drill_run.hpp"
+#include "studies/campaign/forces_file.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/scratch.hpp"
 #include "tests/unit/output_fixtures.hpp"
@@ -83,6 +84,30 @@ settling_s = 0.2
   return unsealed([&](const std::string& path) { runtime::write_drill_run(run, drill, "", path); });
 }
 
+std::string forces_seed() {
+  studies::ForcesFile forces{.study = "small.toml", .mean_diameter = 0.5e-3};
+  for (int seed = 1; seed < 3; ++seed) {
+    studies::CutForces cut{.cut = {.case_number = 1,
+                                   .seed = seed,
+                                   .cutter_speed = 0.5,
+                                   .depth_of_cut = 2e-3,
+                                   .back_rake = 0.35,
+                                   .cut_length = 1e-3,
+                                   .duration = 2e-3,
+                                   .cracks_tensile = 9,
+                                   .discs = 100,
+                                   .step = 1e-7,
+                                   .core_time = 1.0,
+                                   .hash = "d9a1d7e96dd519d" + std::to_string(seed)}};
+    for (int i = 0; i < 50; ++i) {
+      cut.x.push_back(static_cast<float>(i % 7) * 1e3F);
+      cut.y.push_back(static_cast<float>(i % 5) * 1e3F);
+    }
+    forces.cuts.push_back(cut);
+  }
+  return unsealed([&forces](const std::string& path) { studies::write_forces(forces, path); });
+}
+
 }  // namespace
 
 std::vector<Target> hdf5_targets() {
@@ -111,6 +136,15 @@ std::vector<Target> hdf5_targets() {
              read_as_file(sealed(bytes), "drill.h5", [](const std::string& path) { runtime::read_drill_run(path); });
            },
        .seeds = {drill_seed()}},
+      {.name = "forces_h5",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(sealed(bytes), "forces.h5", [](const std::string& path) {
+               for (const studies::CutForces& cut : studies::read_forces(path).cuts)
+                 studies::row_of(cut, peaks::converging(0.5e-3));
+             });
+           },
+       .seeds = {forces_seed()}},
   };
 }
 
