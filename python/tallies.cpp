@@ -23,6 +23,8 @@ py::dict as_dict(const runtime::DrawTally& draws) {
   dict["band_left"] = draws.band_left;
   dict["narrowed"] = draws.narrowed;
   dict["capped"] = draws.capped;
+  dict["length_clamped"] = draws.length_clamped;
+  dict["correlation_clamped"] = draws.correlation_clamped;
   return dict;
 }
 

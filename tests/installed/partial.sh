@@ -24,7 +24,8 @@ find "$build" -name cmake_install.cmake -exec grep -ohE "FILES \"$build/[^\"]*\"
 sed -n 's/^  "\(.*\)"$/\1/p' "$build/package/whole_Release.cmake" | sort -u >"$scratch/asked"
 diff "$scratch/installed" "$scratch/asked" >"$scratch/log" || fail "installed (<), and looked for before it (>)"
 grep -q libbitrock_runtime.so "$scratch/asked" || fail "no libbitrock_runtime.so among what is installed"
-"$cmake" --build "$build" --target help | grep -q '^bitrock_installed:' || fail "there is no target bitrock_installed"
+"$cmake" --build "$build" --target help >"$scratch/log" 2>&1
+grep -q '^bitrock_installed:' "$scratch/log" || fail "there is no target bitrock_installed"
 
 # All there: nothing is said.
 xargs -d '\n' dirname <"$scratch/asked" | sort -u | xargs -d '\n' mkdir -p

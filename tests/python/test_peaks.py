@@ -79,10 +79,13 @@ def test_prominence_and_distance_are_those_of_scipy():
         assert list(peaks.counted(force, min_distance=distance)) == list(found)
 
 
-def test_smoothing_of_the_samples_own_width_is_a_mean_over_three():
+def test_smoothing_has_the_variance_of_two_means_over_its_length():
     force = np.array([0.0, 0, 0, 0, 12, 0, 0, 0, 0])
     assert peaks.statistics(force).amax == 12.0
-    assert 0.5 < peaks.statistics(force, smoothing=2.0).amax < 6.0
+    # two passes of (a, 1, a) / (1 + 2 a) with the variance (2 * 2 ** 2 - 1) / 24 each
+    a = 7 / 24 / (2 * (1 - 7 / 24))
+    middle, side = 1 / (1 + 2 * a), a / (1 + 2 * a)
+    assert peaks.statistics(force, smoothing=2.0).amax == pytest.approx(12.0 * (middle**2 + 2 * side**2))
     with pytest.raises(bitrock.InputError, match="min_prominence"):
         peaks.statistics(force, min_prominence=1.5)
 
