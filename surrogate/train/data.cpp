@@ -232,6 +232,13 @@ std::optional<PeakCounting> counting_of(const base::CsvTable& table) {
   return first;
 }
 
+/// A table that does not say how its peaks were counted is taken for the article's way, whatever its sampling.
+bool mix(const std::optional<PeakCounting>& a, const std::optional<PeakCounting>& b) {
+  if (a && b) return *a == *b;
+  const PeakCounting known = a ? *a : b ? *b : PeakCounting{};
+  return known.smoothing_um == 0.0 && known.min_prominence == 0.0 && known.min_distance_mm == 0.0;
+}
+
 }  // namespace
 
 TrainingData read_training_data(const std::filesystem::path& path) {
@@ -257,6 +264,8 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
                    .has_seeds = tables.front().has_seeds,
                    .rows = {},
                    .counting = tables.front().counting};
+  std::size_t outputs = most_outputs;
+  for (const TrainingData& table : tables) outputs = std::min(outputs, output_count(table));
   std::string fingerprints;
   int first_case = 0;
   for (const TrainingData& table : tables) {
@@ -266,13 +275,8 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
                       "in both, or means in both)",
                       tables.front().file, table.file));
     }
-    if (output_count(table) != output_count(tables.front())) {
-      throw base::InputError(
-          fmt::format("{} and {}: one has the columns of mean, sd, correlation length and correlation, the other has "
-                      "not (collect both anew, or leave one out)",
-                      tables.front().file, table.file));
-    }
-    if (table.counting != all.counting) {
+    all.moments_left_out |= output_count(table) != output_count(tables.front());
+    if (!mix(table.counting, all.counting)) {
       throw base::InputError(
           fmt::format("{} and {}: peaks are counted {}, and {} (numbers of both do not mix: make the tables anew with "
                       "bitrock campaign features)",
@@ -292,6 +296,8 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
         throw base::InputError(
             fmt::format("{}: case {} is too large a number beside other tables", table.file, row.case_number));
       row.case_number += first_case;
+      row.outputs.count = std::min(row.outputs.count, outputs);
+      if (row.standard_errors) row.standard_errors->count = row.outputs.count;
       all.rows.push_back(row);
     }
     first_case += highest;

@@ -45,6 +45,7 @@ struct TrainingData {
   std::vector<TrainingRow> rows;           ///< of all tables
   std::vector<DataPart> parts{};           ///< when it was several files
   std::optional<PeakCounting> counting{};  ///< empty where the tables do not say
+  bool moments_left_out = false;           ///< some of several tables have more than the article's ten outputs
 };
 
 /// Needs the columns case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, and for x and y
@@ -63,8 +64,9 @@ TrainingData read_training_data(const std::filesystem::path& path);
 TrainingData read_training_data(const std::vector<std::string>& paths);
 
 /// Several tables as one: the cases of a later table get numbers above those of the earlier ones. One table stays what
-/// it is. Throws `InputError` when there is none, when one comes twice, or when some have seeds, or the six outputs
-/// behind the article's ten, and others have not, or when peaks were counted in different ways.
+/// it is. Throws `InputError` when there is none, when one comes twice, or when some have seeds and others have not, or
+/// when peaks were counted in different ways (a table that does not say is taken for the article's). Outputs that not
+/// all tables have are left out.
 TrainingData joined(const std::vector<TrainingData>& tables);
 
 /// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of

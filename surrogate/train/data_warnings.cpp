@@ -102,6 +102,12 @@ std::vector<std::string> warnings(const TrainingData& data) {
       broken_counts(data),
       fmt::format("{}: peak counts of single cuts that are no whole numbers: are they counts of one cut?", data.file),
       all);
+  if (data.moments_left_out) {
+    all.push_back(fmt::format(
+        "{}: not all of these tables have the columns of mean, sd, correlation length and correlation: only "
+        "the article's ten outputs are learnt (make the tables anew with bitrock campaign features)",
+        data.file));
+  }
   for (std::string& slip : unit_slips(data)) all.push_back(std::move(slip));
   return all;
 }

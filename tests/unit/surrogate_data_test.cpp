@@ -103,6 +103,8 @@ TEST(SurrogateData, PeaksThatWereCountedInDifferentWaysDoNotMix) {
               surrogate::joined({good, silent});
             }).find("in a way that the table does not say (numbers of both do not mix"),
             std::string::npos);
+  const TrainingData articles = read_text(counted({{row_1_2, article}, {row_2_1, article}}));
+  EXPECT_EQ(surrogate::joined({articles, silent}).rows.size(), 4U) << "a table that does not say is the article's";
   const TrainingData same = read_text(counted({{row_1_2, converging}, {row_2_1, converging}}));
   EXPECT_EQ(surrogate::joined({good, same}).counting, good.counting);
 }

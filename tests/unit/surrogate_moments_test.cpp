@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "surrogate/net/model_file.hpp"
+#include "surrogate/train/data_warnings.hpp"
 #include "surrogate/train/parity.hpp"
 #include "surrogate/train/train.hpp"
 #include "tests/scratch.hpp"
@@ -118,6 +119,21 @@ TEST(SurrogateMoments, AStartModelMustFitTheData) {
   EXPECT_THROW(surrogate::train(data_of(Columns::ten), options), base::InputError);
   options.init_from = &ten;
   EXPECT_EQ(surrogate::train(data_of(Columns::sixteen), options).outputs.size(), 10u);
+}
+
+TEST(Moments, OfSomeTablesOnlyAreLeftOutWithAWarning) {
+  const surrogate::TrainingData ten = data_of(Columns::ten), sixteen = data_of(Columns::sixteen);
+  for (const auto& tables : {std::vector{ten, sixteen}, std::vector{sixteen, ten}}) {
+    const surrogate::TrainingData both = surrogate::joined(tables);
+    EXPECT_EQ(surrogate::output_count(both), 10U);
+    EXPECT_TRUE(both.moments_left_out);
+    for (const surrogate::TrainingRow& row : both.rows) EXPECT_EQ(row.outputs.size(), 10U);
+    const std::vector<std::string> warnings = surrogate::warnings(both);
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.find("only the article's ten outputs are learnt") != std::string::npos;
+    }));
+  }
+  EXPECT_FALSE(surrogate::joined({sixteen}).moments_left_out);
 }
 
 }  // namespace
