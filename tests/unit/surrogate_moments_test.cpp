@@ -121,7 +121,7 @@ TEST(SurrogateMoments, AStartModelMustFitTheData) {
   EXPECT_EQ(surrogate::train(data_of(Columns::sixteen), options).outputs.size(), 10u);
 }
 
-TEST(Moments, OfSomeTablesOnlyAreLeftOutWithAWarning) {
+TEST(SurrogateMoments, OfSomeTablesOnlyAreLeftOutWithAWarning) {
   const surrogate::TrainingData ten = data_of(Columns::ten), sixteen = data_of(Columns::sixteen);
   for (const auto& tables : {std::vector{ten, sixteen}, std::vector{sixteen, ten}}) {
     const surrogate::TrainingData both = surrogate::joined(tables);
