@@ -9,6 +9,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,29 +65,38 @@ struct DataPart {
 };
 
 /// Where a model comes from.
+/// How the peaks of a table were counted, where it says so (peaks/definition.hpp). Counts of two ways do not mix.
+struct PeakCounting {
+  double smoothing_um = 0.0;     ///< length of the moving mean, applied twice
+  double min_prominence = 0.0;   ///< share of the highest sample [1]
+  double min_distance_mm = 0.0;  ///< from a higher peak
+  double sampling_um = 0.0;      ///< without smoothing, where counts depend on it; 0 otherwise
+};
+
 struct Provenance {
-  std::string data_file;              ///< file name without folder
-  std::string data_fingerprint;       ///< `base::fingerprint_text` of the file
-  std::vector<DataPart> data_parts;   ///< when it was several files; then the two above speak of all together
-  std::string initial_fingerprint;    ///< of the model file a warm start began from; empty: a random start
-  std::uint64_t seed = 0;             ///< of initial weights and batch order
-  std::uint64_t split_seed = 0;       ///< of the choice of test cases
-  double split = 0.0;                 ///< fraction of the cases used for training
-  bool shuffle = true;                ///< false: file order, the last cases are the test set
-  int epochs = 0;                     ///< that were allowed
-  int batch = 0;                      ///< rows a step
-  double learning_rate = 0.0;         ///< [1]
-  double validation = 0.0;            ///< fraction of the training cases that say when to stop; 0: none
-  int patience = 0;                   ///< epochs without a better validation error before the stop; 0: no stop
-  int starts = 1;                     ///< trainings from different random starts, of which the best was kept
-  int smoothing = 0;                  ///< epochs over which the parameters were averaged; 0: not at all
-  bool averaged = true;               ///< learnt from the mean over the cuts of a case, not from the single cuts
-  bool weighted = false;              ///< errors weighted by the scatter of the data
-  std::vector<int> train_cases;       ///< ascending case numbers
-  std::vector<int> validation_cases;  ///< ascending case numbers
-  std::vector<int> test_cases;        ///< ascending case numbers
-  std::string choice;                 ///< which kinds of network were compared and why this one; empty: not compared
-  std::string bitrock_version;        ///< that trained it
+  std::string data_file;                 ///< file name without folder
+  std::string data_fingerprint;          ///< `base::fingerprint_text` of the file
+  std::vector<DataPart> data_parts;      ///< when it was several files; then the two above speak of all together
+  std::optional<PeakCounting> counting;  ///< of the peaks; empty where the tables did not say
+  std::string initial_fingerprint;       ///< of the model file a warm start began from; empty: a random start
+  std::uint64_t seed = 0;                ///< of initial weights and batch order
+  std::uint64_t split_seed = 0;          ///< of the choice of test cases
+  double split = 0.0;                    ///< fraction of the cases used for training
+  bool shuffle = true;                   ///< false: file order, the last cases are the test set
+  int epochs = 0;                        ///< that were allowed
+  int batch = 0;                         ///< rows a step
+  double learning_rate = 0.0;            ///< [1]
+  double validation = 0.0;               ///< fraction of the training cases that say when to stop; 0: none
+  int patience = 0;                      ///< epochs without a better validation error before the stop; 0: no stop
+  int starts = 1;                        ///< trainings from different random starts, of which the best was kept
+  int smoothing = 0;                     ///< epochs over which the parameters were averaged; 0: not at all
+  bool averaged = true;                  ///< learnt from the mean over the cuts of a case, not from the single cuts
+  bool weighted = false;                 ///< errors weighted by the scatter of the data
+  std::vector<int> train_cases;          ///< ascending case numbers
+  std::vector<int> validation_cases;     ///< ascending case numbers
+  std::vector<int> test_cases;           ///< ascending case numbers
+  std::string choice;                    ///< which kinds of network were compared and why this one; empty: not compared
+  std::string bitrock_version;           ///< that trained it
 };
 
 /// Name and unit every model has at each place; `si_per_unit` turns file units into SI.
@@ -156,7 +166,9 @@ struct OutputValues {
   double& operator[](std::size_t i) { return items.data()[i]; }
   const double& operator[](std::size_t i) const { return items.data()[i]; }
   void fill(double value) { std::fill(begin(), end(), value); }
-  auto operator<=>(const OutputValues&) const = default;
+  bool operator==(const OutputValues&) const = default;
+  /// Any order will do: for what is kept sorted.
+  bool operator<(const OutputValues& other) const { return items < other.items; }
 };
 
 /// Forces are per metre of thickness out of the plane of cutting.

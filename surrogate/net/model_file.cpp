@@ -91,6 +91,13 @@ OrderedJson provenance_json(const Provenance& provenance) {
                    {"test_cases", provenance.test_cases},
                    {"choice", provenance.choice},
                    {"bitrock_version", provenance.bitrock_version}};
+  if (provenance.counting) {
+    const PeakCounting& counting = *provenance.counting;
+    json["peak_counting"] = {{"smoothing_um", counting.smoothing_um},
+                             {"min_prominence", counting.min_prominence},
+                             {"min_distance_mm", counting.min_distance_mm},
+                             {"sampling_um", counting.sampling_um}};
+  }
   if (provenance.data_parts.empty()) return json;
   OrderedJson parts = OrderedJson::array();
   for (const DataPart& part : provenance.data_parts)
@@ -185,7 +192,7 @@ Provenance read_provenance(const JsonPlace& place) {
               "starts",        "smoothing",        "averaged",
               "weighted",      "train_cases",      "validation_cases",
               "test_cases",    "choice",           "bitrock_version",
-              "data_parts"});
+              "data_parts",    "peak_counting"});
   constexpr std::uint64_t any_seed = std::numeric_limits<std::uint64_t>::max();
   Provenance provenance;
   provenance.data_file = place.at("data_file").text();
@@ -199,6 +206,15 @@ Provenance read_provenance(const JsonPlace& place) {
                                        .fingerprint = part.at("fingerprint").text(),
                                        .first_case = static_cast<int>(part.at("first_case").whole_up_to(largest_int))});
     }
+  }
+  if (place.has("peak_counting")) {
+    const JsonPlace counting = place.at("peak_counting");
+    counting.only({"smoothing_um", "min_prominence", "min_distance_mm", "sampling_um"});
+    const auto number = [&counting](const char* name) { return counting.at(name).number_from(0.0, largest_double); };
+    provenance.counting = {.smoothing_um = number("smoothing_um"),
+                           .min_prominence = number("min_prominence"),
+                           .min_distance_mm = number("min_distance_mm"),
+                           .sampling_um = number("sampling_um")};
   }
   provenance.initial_fingerprint = place.at("initial_fingerprint").text();
   provenance.seed = place.at("seed").whole_up_to(any_seed);

@@ -211,19 +211,12 @@ PeakCounting counting_of(const base::CsvTable& table, std::size_t row) {
   return counting;
 }
 
-std::string in_words(const std::optional<PeakCounting>& counting) {
-  if (!counting) return "in a way that the table does not say";
-  return fmt::format("with smoothing {:g} um, prominence {:g}, distance {:g} mm{}", counting->smoothing_um,
-                     counting->min_prominence, counting->min_distance_mm,
-                     counting->sampling_um > 0.0 ? fmt::format(", samples every {:g} um", counting->sampling_um) : "");
-}
-
 /// The same for all rows.
 std::optional<PeakCounting> counting_of(const base::CsvTable& table) {
   if (!table.has("peak_smoothing_um")) return std::nullopt;
   const PeakCounting first = counting_of(table, 0);
   for (std::size_t row = 1; row < table.rows(); ++row) {
-    if (counting_of(table, row) == first) continue;
+    if (mix(counting_of(table, row), first)) continue;
     throw base::InputError(fmt::format(
         "{}:{}: peaks are counted {} (line {}: {}; numbers of both do not mix: make the "
         "table anew with bitrock campaign features)",
@@ -232,14 +225,22 @@ std::optional<PeakCounting> counting_of(const base::CsvTable& table) {
   return first;
 }
 
-/// A table that does not say how its peaks were counted is taken for the article's way, whatever its sampling.
+}  // namespace
+
 bool mix(const std::optional<PeakCounting>& a, const std::optional<PeakCounting>& b) {
-  if (a && b) return *a == *b;
-  const PeakCounting known = a ? *a : b ? *b : PeakCounting{};
-  return known.smoothing_um == 0.0 && known.min_prominence == 0.0 && known.min_distance_mm == 0.0;
+  const auto agree = [](double p, double q) { return std::fabs(p - q) <= 1e-9 * std::max(std::fabs(p), std::fabs(q)); };
+  const PeakCounting first = a.value_or(PeakCounting{}), second = b.value_or(PeakCounting{});
+  return agree(first.smoothing_um, second.smoothing_um) && agree(first.min_prominence, second.min_prominence) &&
+         agree(first.min_distance_mm, second.min_distance_mm) &&
+         (!a || !b || agree(first.sampling_um, second.sampling_um));
 }
 
-}  // namespace
+std::string in_words(const std::optional<PeakCounting>& counting) {
+  if (!counting) return "in a way that is not said, hence as in the article";
+  return fmt::format("with smoothing {:g} um, prominence {:g}, distance {:g} mm{}", counting->smoothing_um,
+                     counting->min_prominence, counting->min_distance_mm,
+                     counting->sampling_um > 0.0 ? fmt::format(", samples every {:g} um", counting->sampling_um) : "");
+}
 
 TrainingData read_training_data(const std::filesystem::path& path) {
   const base::CsvTable table = base::read_csv(path, false, {"hash"});
@@ -282,6 +283,7 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
                       "bitrock campaign features)",
                       tables.front().file, table.file, in_words(all.counting), in_words(table.counting)));
     }
+    if (!all.counting) all.counting = table.counting;
     for (const DataPart& part : all.parts) {
       if (part.fingerprint == table.fingerprint)
         throw base::InputError(fmt::format("{} and {} hold the same (name each table once)", part.file, table.file));

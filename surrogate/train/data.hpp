@@ -28,16 +28,6 @@ struct TrainingRow {
   int line = 0;                              ///< in the file, the first one of a mean
 };
 
-/// How the peaks of a table were counted, where it says so (peaks/definition.hpp). Counts of two ways do not mix.
-struct PeakCounting {
-  double smoothing_um = 0.0;
-  double min_prominence = 0.0;  ///< [1]
-  double min_distance_mm = 0.0;
-  double sampling_um = 0.0;  ///< without smoothing, where counts depend on it; 0 otherwise
-
-  bool operator==(const PeakCounting&) const = default;
-};
-
 struct TrainingData {
   std::string file;                        ///< name without folder
   std::string fingerprint;                 ///< `base::fingerprint_text` of the file's bytes
@@ -68,6 +58,11 @@ TrainingData read_training_data(const std::vector<std::string>& paths);
 /// when peaks were counted in different ways (a table that does not say is taken for the article's). Outputs that not
 /// all tables have are left out.
 TrainingData joined(const std::vector<TrainingData>& tables);
+
+/// Whether peaks were counted in one way, as far as 9 digits tell. Who does not say is taken for the article's way,
+/// whatever the sampling.
+bool mix(const std::optional<PeakCounting>& a, const std::optional<PeakCounting>& b);
+std::string in_words(const std::optional<PeakCounting>& counting);
 
 /// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of
 /// that mean (over the rows when there are several, the file's own otherwise).

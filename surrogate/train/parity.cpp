@@ -199,6 +199,13 @@ void compare(OutputParity& output) {
 }  // namespace
 
 Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers) {
+  if (!mix(model.provenance.counting, data.counting)) {
+    throw base::InputError(
+        fmt::format("{}: peaks are counted {}, and the networks have learnt from peaks counted {} (their numbers "
+                    "cannot be compared: "
+                    "make the table by the same definition with bitrock campaign features, or train anew)",
+                    data.file, in_words(data.counting), in_words(model.provenance.counting)));
+  }
   Parity result;
   const DataPart* part = part_of(model, data);
   const std::int64_t first_case = part == nullptr ? 0 : part->first_case;

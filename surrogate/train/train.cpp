@@ -223,6 +223,7 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
   model.provenance = {.data_file = data.file,
                       .data_fingerprint = data.fingerprint,
                       .data_parts = data.parts,
+                      .counting = data.counting,
                       .initial_fingerprint = options.init_from == nullptr
                                                  ? std::string()
                                                  : base::fingerprint_text(model_text(*options.init_from)),

@@ -136,4 +136,21 @@ TEST(SurrogateMoments, OfSomeTablesOnlyAreLeftOutWithAWarning) {
   EXPECT_FALSE(surrogate::joined({sixteen}).moments_left_out);
 }
 
+TEST(SurrogateMoments, AModelRemembersHowItsPeaksWereCounted) {
+  surrogate::TrainingData data = data_of(Columns::ten);
+  const surrogate::TrainingData silent = data;
+  data.counting = surrogate::PeakCounting{.smoothing_um = 40.0, .min_prominence = 0.02};
+  const surrogate::Model model = trained(data);
+  const scratch::Folder folder("counting");
+  surrogate::write_model(folder / "model.json", model);
+  const surrogate::Model read = surrogate::read_model(folder / "model.json");
+  ASSERT_TRUE(read.provenance.counting.has_value());
+  EXPECT_EQ(read.provenance.counting->smoothing_um, 40.0);
+  EXPECT_EQ(read.provenance.counting->min_prominence, 0.02);
+  EXPECT_NO_THROW(surrogate::parity(read, data));
+  EXPECT_THROW(surrogate::parity(read, silent), base::InputError);
+  EXPECT_THROW(surrogate::parity(trained(silent), data), base::InputError);
+  EXPECT_NO_THROW(surrogate::parity(trained(silent), silent));
+}
+
 }  // namespace
