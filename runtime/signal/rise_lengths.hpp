@@ -1,6 +1,7 @@
 #pragma once
 /// How far the force climbs before it drops: the lengths of the pulses of a sawtooth force, from two correlation
-/// lengths of the force.
+/// lengths of the force. The mode "sawtooth" does not use it yet: its pulses still climb in proportion to their heights
+/// (sawtooth_law.hpp), which is too narrow a law for deep cuts.
 ///
 /// **Equation.** A pulse climbs over rho w^n (1 - q + q w) and drops over delta, w drawn from the density exp(-w), cut
 /// off at 6, n a whole number and q from 0 to 1, and
@@ -15,9 +16,9 @@
 /// **Symbols.** l [m] correlation length (lag at 1/e); l_s [m] short correlation length (lag at 3/4); rho [m];
 /// p, n, q, w [1].
 ///
-/// **Source.** Derived in docs/theory/force_signal.md; the rows are those of tests/validation/rise_lengths.py, and
-/// tests/verification/rise_lengths_test.cpp finds both lags again by another quadrature. The drop of 0.4 l_s and the
-/// form of the law are chosen by the spectra of 16 cuts (docs/decisions/0016).
+/// **Source.** Derived in docs/theory/force_signal.md, "Two lengths"; the rows are those of
+/// tests/validation/rise_lengths.py, and tests/verification/rise_lengths_test.cpp finds both lags again by another
+/// quadrature. The drop of 0.4 l_s and the form of the law are chosen by the spectra of 16 cuts (docs/decisions/0016).
 ///
 /// **Validity.** l_s / l from 0.147 to 0.452; beyond, the nearest row serves (`clamped`). The cuts of the article's
 /// rock have 0.19 to 0.42.
