@@ -32,6 +32,7 @@ ComponentPortrait mean_component(std::span<const Portrait> portraits, ComponentP
     mean.moments.mean += one.moments.mean / count;
     mean.moments.sd += one.moments.sd / count;
     mean.moments.correlation_length += one.moments.correlation_length / count;
+    mean.moments.short_correlation_length += one.moments.short_correlation_length / count;
     mean.moments.low_share += one.moments.low_share / count;
     damage += std::pow(one.damage_range, damage_exponent) / count;
     for (std::size_t k = 0; k < octave_count; ++k) mean.octaves[k] += one.octaves[k] / count;

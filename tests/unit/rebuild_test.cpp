@@ -123,6 +123,8 @@ TEST(Likeness, MeansOfPortraitsAreThoseOfTheirNumbers) {
                    std::pow(0.5 * (std::pow(one.x.damage_range, 4.0) + std::pow(two.x.damage_range, 4.0)), 0.25));
   EXPECT_EQ(mean.x.peaks.count(), one.x.peaks.count() + two.x.peaks.count());
   EXPECT_DOUBLE_EQ(mean.x.octaves[2], 0.5 * (one.x.octaves[2] + two.x.octaves[2]));
+  EXPECT_DOUBLE_EQ(mean.x.moments.short_correlation_length,
+                   0.5 * (one.x.moments.short_correlation_length + two.x.moments.short_correlation_length));
   EXPECT_DOUBLE_EQ(mean.xy_correlation, one.xy_correlation);
 }
 
