@@ -12,6 +12,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "base/version.hpp"
 
 namespace bitrock::base {
 
@@ -197,6 +198,13 @@ void Hdf5Writer::attribute(const std::string& name, long long value) {
   write_attribute(file_.id(), name, type_of(Hdf5Kind::int64), &value);
 }
 
+void Hdf5Writer::head(const std::string& format, long long format_version) {
+  attribute("format", format);
+  attribute("format_version", format_version);
+  attribute("version", version);
+  attribute("git_commit", git_commit);
+}
+
 void Hdf5Writer::save(const std::filesystem::path& path) {
   std::string image;
   {
@@ -246,13 +254,13 @@ std::vector<Wanted> converted(std::string_view bytes) {
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path)
     : name_(path.string()), bytes_(sealed_bytes(path)), image_(hdf5_image({bytes_.data(), bytes_.size()}, name_)) {}
 
-void Hdf5Reader::require_format(const std::string& format, long long version) const {
+void Hdf5Reader::require_format(const std::string& format, long long format_version) const {
   if (!has_attribute("format") || text_attribute("format") != format) {
     throw InputError(fmt::format("{}: not a {} file", name_, format));
   }
   const double seen = number_attribute("format_version");
-  if (seen != static_cast<double>(version)) {
-    throw InputError(fmt::format("{}: {} format {} (this program reads {})", name_, format, seen, version));
+  if (seen != static_cast<double>(format_version)) {
+    throw InputError(fmt::format("{}: {} format {} (this program reads {})", name_, format, seen, format_version));
   }
 }
 

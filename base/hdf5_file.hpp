@@ -46,6 +46,8 @@ class Hdf5Writer {
              const std::string& meaning);
   void array(const std::string& path, std::span<const int> values, const std::string& units,
              const std::string& meaning);
+  /// What every file of ours begins with: format and its version, version and commit of this program.
+  void head(const std::string& format, long long format_version);
   /// Attributes of the root group. Texts have a fixed length, UTF-8; one too long for an attribute becomes an array of
   /// bytes, /texts/NAME.
   void attribute(const std::string& name, std::string_view value);
@@ -70,7 +72,7 @@ class Hdf5Reader {
   Hdf5Reader(Hdf5Reader&&) = default;
 
   /// Throws unless the root attributes `format` and `format_version` are these.
-  void require_format(const std::string& format, long long version) const;
+  void require_format(const std::string& format, long long format_version) const;
 
   /// An array of this path, or a group that holds one.
   bool has(const std::string& path) const;

@@ -66,18 +66,17 @@ void tell_sawtooth_draws(const CommonOptions& options, const runtime::DrawTally&
 }
 
 void add_mode(CLI::App& command, std::string& mode) {
+  std::vector<std::string> names;
+  for (const runtime::ModeName& known : runtime::mode_names) names.emplace_back(known.name);
   command
       .add_option("--mode", mode,
                   "The force is rebuilt by this mode: sawtooth, article, article-literal, or auto (sawtooth when the "
                   "model can, else article). Without it the bit file says it.")
-      ->check(CLI::IsMember(std::vector<std::string>{"auto", "sawtooth", "article", "article-literal"}));
+      ->check(CLI::IsMember(names));
 }
 
-runtime::SignalMode mode_of_flag(const std::string& mode) {
-  for (const runtime::ModeName& known : runtime::mode_names) {
-    if (known.name == mode) return known.mode;
-  }
-  return runtime::SignalMode::automatic;  // the flag was checked
+void take_mode(const std::string& mode, runtime::Bit& bit) {
+  if (const auto named = runtime::mode_named(mode)) bit.signal.mode = *named;
 }
 
 }  // namespace bitrock::cli

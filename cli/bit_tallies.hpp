@@ -22,8 +22,8 @@ void tell_draws(const CommonOptions& options, const runtime::DrawTally& draws);
 /// How many windows of the mode "sawtooth" could not have what the networks say; nothing where all could.
 void tell_sawtooth_draws(const CommonOptions& options, const runtime::DrawTally& draws);
 
-/// The flag `--mode`, in place of the mode of the bit file.
+/// The flag `--mode`; where it is given the bit takes it in place of the mode of its file.
 void add_mode(CLI::App& command, std::string& mode);
-runtime::SignalMode mode_of_flag(const std::string& mode);
+void take_mode(const std::string& mode, runtime::Bit& bit);
 
 }  // namespace bitrock::cli

@@ -91,7 +91,7 @@ void print_plan(const Options& options, const runtime::DrillCase& drill, const r
 void run(const Options& options) {
   runtime::DrillCase drill = runtime::read_drill_case(options.case_file);
   if (options.seed >= 0) drill.source.seed = options.seed;
-  if (!options.mode.empty()) drill.bit.signal.mode = mode_of_flag(options.mode);
+  take_mode(options.mode, drill.bit);
   const runtime::DrillString string = runtime::assemble(drill);
   for (const std::string& warning : runtime::warnings(drill, string)) warn(options.common, warning);
   const std::optional<surrogate::Model> model = model_of(options.common, options.model_file, drill);

@@ -25,7 +25,7 @@ struct Options {
 
 void run(const Options& options) {
   runtime::Bit bit = runtime::read_bit(options.bit_file);
-  if (!options.mode.empty()) bit.signal.mode = mode_of_flag(options.mode);
+  take_mode(options.mode, bit);
   const surrogate::Model model = surrogate::read_model(options.model_file);
   for (const std::string& warning : runtime::warnings(bit)) warn(options.common, warning);
   const runtime::ConstantSpeed drive{.rotation = options.rpm * 2.0 * std::numbers::pi / 60.0,

@@ -39,9 +39,8 @@ inline PeakDefinition as_in_the_article() {
   return {};
 }
 
-inline constexpr double smoothing_over_grain = 0.08;         ///< L / D [1]
-inline constexpr double converging_prominence = 0.02;        ///< of the highest sample [1]
-inline constexpr double largest_sampling_over_grain = 0.04;  ///< up to which the numbers do not depend on it [1]
+inline constexpr double smoothing_over_grain = 0.08;   ///< L / D [1]
+inline constexpr double converging_prominence = 0.02;  ///< of the highest sample [1]
 
 /// `mean_diameter` of the grains [m].
 inline PeakDefinition converging(double mean_diameter) {

@@ -145,7 +145,7 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
 
 std::vector<std::string> warnings(const CutCase& cut) {
   std::vector<std::string> found;
-  const double mean_diameter = cut.rock.radius_min + cut.rock.radius_max;
+  const double mean_diameter = dem2d::mean_diameter(cut.rock);
   if (cut.depth_of_cut < mean_diameter) {
     found.push_back(fmt::format(
         "cut.depth_of_cut_mm = {:.4g} is {:.2g} of a grain (mean diameter {:.4g} mm): the cutter ploughs through "

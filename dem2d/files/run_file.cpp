@@ -10,7 +10,6 @@
 #include "base/files.hpp"
 #include "base/hdf5_file.hpp"
 #include "base/text.hpp"
-#include "base/version.hpp"
 #include "dem2d/files/frame_file.hpp"
 #include "dem2d/step/physics_version.hpp"
 
@@ -78,10 +77,7 @@ std::string cut_hash(const CutCase& cut, std::uint64_t seed) {
 
 void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const std::filesystem::path& path) {
   base::Hdf5Writer file;
-  file.attribute("format", format_name);
-  file.attribute("format_version", format_version);
-  file.attribute("version", base::version);
-  file.attribute("git_commit", base::git_commit);
+  file.head(format_name, format_version);
   file.attribute("config_toml", exact_toml(cut));
   file.attribute("config_hash", cut_hash(cut, seed));
   file.attribute("seed", static_cast<long long>(seed));

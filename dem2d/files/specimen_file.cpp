@@ -10,7 +10,6 @@
 
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
-#include "base/version.hpp"
 #include "dem2d/specimen/genesis.hpp"
 
 namespace bitrock::dem2d {
@@ -69,10 +68,7 @@ std::string impossible(const Specimen& specimen) {
 
 void write_specimen(const Specimen& specimen, const std::filesystem::path& path) {
   base::Hdf5Writer file;
-  file.attribute("format", format_name);
-  file.attribute("format_version", format_version);
-  file.attribute("version", base::version);
-  file.attribute("git_commit", base::git_commit);
+  file.head(format_name, format_version);
   file.attribute("genesis_version", static_cast<long long>(genesis_version));
   Rock rock = specimen.rock;
   rock.specimen_width = specimen.width;  // whatever the rock file says of it: so the text makes this one again

@@ -22,6 +22,11 @@ struct Layer {
 /// From the bottom up: one, or two when the rock is graded and the specimen higher than its fine layer.
 std::vector<Layer> layers(const Rock& rock, double height);
 
+/// Of the grains that the rock file says [m].
+inline double mean_diameter(const Rock& rock) {
+  return rock.radius_min + rock.radius_max;
+}
+
 /// Of the discs of such a specimen, before they grow [m].
 double largest_radius(const Rock& rock, double height);
 

@@ -56,11 +56,9 @@ void take_words(const base::ConfigFile& file, const BitWords& words, SignalSetti
   if (words.amplitude_fit != "band_preserving" && words.amplitude_fit != "article") {
     file.refuse("bit", "amplitude_fit", "must be 'band_preserving' or 'article'");
   }
-  const auto mode = std::find_if(mode_names.begin(), mode_names.end(),
-                                 [&](const ModeName& known) { return known.name == words.mode; });
-  if (mode == mode_names.end())
-    file.refuse("bit", "mode", "must be 'auto', 'sawtooth', 'article' or 'article-literal'");
-  signal.mode = mode->mode;
+  const std::optional<SignalMode> mode = mode_named(words.mode);
+  if (!mode) file.refuse("bit", "mode", "must be 'auto', 'sawtooth', 'article' or 'article-literal'");
+  signal.mode = *mode;
   signal.combine = words.combine == "max" ? Combine::max : Combine::sum;
   signal.amplitude_fit = words.amplitude_fit == "article" ? AmplitudeFit::article : AmplitudeFit::band_preserving;
   signal.seed = static_cast<std::uint64_t>(words.seed);
@@ -131,6 +129,12 @@ Bit read_bit(const std::filesystem::path& path) {
 std::string_view name_of(SignalMode mode) {
   return std::find_if(mode_names.begin(), mode_names.end(), [&](const ModeName& known) { return known.mode == mode; })
       ->name;
+}
+
+std::optional<SignalMode> mode_named(std::string_view name) {
+  const auto found =
+      std::find_if(mode_names.begin(), mode_names.end(), [&](const ModeName& known) { return known.name == name; });
+  return found == mode_names.end() ? std::nullopt : std::optional(found->mode);
 }
 
 BitWords words_of(const Bit& bit) {

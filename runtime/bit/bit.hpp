@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,8 @@ inline constexpr std::array<ModeName, 4> mode_names{{{"auto", SignalMode::automa
                                                      {"article-literal", SignalMode::article_literal}}};
 
 std::string_view name_of(SignalMode mode);
+/// Empty for a name that no mode has.
+std::optional<SignalMode> mode_named(std::string_view name);
 
 /// What the file says in other terms than the bit holds.
 struct BitWords {

@@ -10,7 +10,6 @@
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
 #include "base/text.hpp"
-#include "base/version.hpp"
 
 namespace bitrock::runtime {
 
@@ -164,10 +163,7 @@ void write_drill_run(const DrillRun& run, const DrillCase& drill, const std::str
   without_path.source.model_file.clear();
   if (!drill.source.model_file.empty())
     with_path.source.model_file = std::filesystem::absolute(drill.source.model_file).lexically_normal().string();
-  file.attribute("format", format_name);
-  file.attribute("format_version", format_version);
-  file.attribute("version", base::version);
-  file.attribute("git_commit", base::git_commit);
+  file.head(format_name, format_version);
   file.attribute("config_toml", resolved_toml(with_path));
   file.attribute("config_hash", base::fingerprint_text(resolved_toml(without_path) + model));
   file.attribute("model_fingerprint", model);

@@ -159,6 +159,10 @@ bool same_result(const FeatureRow& a, const FeatureRow& b) {
   return numbers(a) == numbers(other);
 }
 
+bool is_hash(const std::string& text) {
+  return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
 std::string features_csv(const std::vector<FeatureRow>& rows) {
   std::vector<std::vector<double>> values;
   std::vector<std::string> hashes;
@@ -172,8 +176,8 @@ std::string features_csv(const std::vector<FeatureRow>& rows) {
 namespace {
 
 void require_hash(const std::string& hash, const std::string& where) {
-  const bool good = hash.size() == 16 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (!good) throw base::InputError(fmt::format("{}: hash = '{}' (must be 16 hexadecimal digits)", where, hash));
+  if (!is_hash(hash))
+    throw base::InputError(fmt::format("{}: hash = '{}' (must be 16 hexadecimal digits)", where, hash));
 }
 
 }  // namespace

@@ -45,6 +45,9 @@ void fill_statistics(FeatureRow& row, std::span<const double> force_x, std::span
 /// Whether two rows tell the same of a cut, whatever time it took and wherever its case stands in a study.
 bool same_result(const FeatureRow& a, const FeatureRow& b);
 
+/// Whether a text is what a hash looks like: 16 hexadecimal digits.
+bool is_hash(const std::string& text);
+
 /// One row a case and seed.
 std::string features_csv(const std::vector<FeatureRow>& rows);
 

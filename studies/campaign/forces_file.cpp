@@ -10,7 +10,6 @@
 
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
-#include "base/version.hpp"
 #include "studies/campaign/folder.hpp"
 
 namespace bitrock::studies {
@@ -81,8 +80,7 @@ std::vector<std::string> read_hashes(const base::Hdf5Reader& file, std::size_t c
     refuse(file, fmt::format("hashes of {} letters for {} cuts (must be {} a cut)", text.size(), cuts, hash_length));
   std::set<std::string> seen;
   for (const std::string& hash : hashes) {
-    if (hash.find_first_not_of("0123456789abcdef") != std::string::npos)
-      refuse(file, fmt::format("hash '{}' (must be {} hexadecimal digits)", hash, hash_length));
+    if (!is_hash(hash)) refuse(file, fmt::format("hash '{}' (must be {} hexadecimal digits)", hash, hash_length));
     if (!seen.insert(hash).second) refuse(file, fmt::format("the cut with the hash {} is there twice", hash));
   }
   return hashes;
@@ -112,10 +110,7 @@ FeatureRow row_of(const CutForces& forces, const peaks::PeakDefinition& definiti
 
 void write_forces(const ForcesFile& forces, const std::filesystem::path& path) {
   base::Hdf5Writer file;
-  file.attribute("format", format_name);
-  file.attribute("format_version", format_version);
-  file.attribute("version", base::version);
-  file.attribute("git_commit", base::git_commit);
+  file.head(format_name, format_version);
   file.attribute("study", forces.study);
   file.attribute("mean_grain_diameter_m", forces.mean_diameter);
   std::string hashes;

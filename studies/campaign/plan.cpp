@@ -8,6 +8,7 @@
 #include "base/files.hpp"
 #include "dem2d/cut/window.hpp"
 #include "dem2d/specimen/genesis.hpp"
+#include "dem2d/specimen/grading.hpp"
 #include "dem2d/step/cost.hpp"
 #include "studies/campaign/folder.hpp"
 #include "studies/campaign/rocks.hpp"
@@ -23,7 +24,7 @@ constexpr double sample_depth = 0.25;  // of a cut into the sample, as a share o
 
 double critical_step_of_sample(const Study& study) {
   dem2d::CutCase cut = study.common;
-  const double side = sample_side * (cut.rock.radius_min + cut.rock.radius_max);
+  const double side = sample_side * dem2d::mean_diameter(cut.rock);
   cut.bed_length = cut.bed_height = side;
   cut.depth_of_cut = sample_depth * side;
   cut.cutter_speed = 1.0;

@@ -13,6 +13,7 @@
 #include "base/stop.hpp"
 #include "base/unit_hint.hpp"
 #include "base/units.hpp"
+#include "dem2d/specimen/grading.hpp"
 
 namespace bitrock::studies {
 
@@ -290,7 +291,7 @@ std::string exact_toml(const Study& study) {
 }
 
 double mean_diameter(const Study& study) {
-  return study.common.rock.radius_min + study.common.rock.radius_max;
+  return dem2d::mean_diameter(study.common.rock);
 }
 
 int count_jobs(const Study& study) {

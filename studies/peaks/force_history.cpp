@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
 #include "dem2d/cut/cut_case.hpp"
-#include "peaks/smoothing.hpp"
+#include "dem2d/specimen/grading.hpp"
 
 namespace bitrock::studies {
 
@@ -40,7 +41,7 @@ ForceHistory from_hdf5(const Wish& wish) {
   if (file.has_attribute("cut_length_m") && file.has_attribute("config_toml") && !history.force.empty()) {
     const dem2d::CutCase cut = dem2d::parse_resolved(file.text_attribute("config_toml"), wish.file);
     history.spacing = file.number_attribute("cut_length_m") / static_cast<double>(history.force.size());
-    history.mean_diameter = cut.rock.radius_min + cut.rock.radius_max;
+    history.mean_diameter = dem2d::mean_diameter(cut.rock);
   }
   return history;
 }
@@ -195,8 +196,7 @@ ForceFindings find_in(const ForceHistory& history, int parts, const peaks::Selec
 }
 
 peaks::Selection apply(const PeakWish& wish, ForceHistory& history, const std::string& file) {
-  double smoothing = wish.smoothing;
-  peaks::Selection selection{.min_prominence = wish.min_prominence, .min_distance = wish.min_distance};
+  peaks::PeakDefinition definition;  // lengths in samples
   if (wish.converging) {
     if (history.spacing == 0.0) {
       throw base::InputError(fmt::format(
@@ -204,12 +204,15 @@ peaks::Selection apply(const PeakWish& wish, ForceHistory& history, const std::s
           "run files; for other histories give --smoothing and --min-prominence)",
           file));
     }
-    const peaks::PeakDefinition definition = peaks::converging(history.mean_diameter);
-    if (smoothing == 0.0) smoothing = definition.smoothing / history.spacing;
-    if (selection.min_prominence == 0.0) selection.min_prominence = definition.min_prominence;
+    definition = peaks::converging(history.mean_diameter);
+    definition.smoothing /= history.spacing;
   }
-  if (smoothing > 0.0) history.force = peaks::smoothed(history.force, smoothing);
-  return selection;
+  if (wish.smoothing > 0.0) definition.smoothing = wish.smoothing;
+  if (wish.min_prominence > 0.0) definition.min_prominence = wish.min_prominence;
+  definition.min_distance = wish.min_distance;
+  peaks::PeakSearch search = peaks::prepared(history.force, 1.0, definition);
+  history.force = std::move(search.signal);
+  return search.selection;
 }
 
 }  // namespace bitrock::studies
