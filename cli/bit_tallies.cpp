@@ -66,8 +66,9 @@ void tell_sawtooth_draws(const CommonOptions& options, const runtime::DrawTally&
 }
 
 void add_mode(CLI::App& command, std::string& mode) {
-  std::vector<std::string> names;
-  for (const runtime::ModeName& known : runtime::mode_names) names.emplace_back(known.name);
+  std::vector<std::string> names(std::size(runtime::mode_names));
+  std::ranges::transform(runtime::mode_names, names.begin(),
+                         [](const runtime::ModeName& known) { return std::string(known.name); });
   command
       .add_option("--mode", mode,
                   "The force is rebuilt by this mode: sawtooth, article, article-literal, or auto (sawtooth when the "
