@@ -60,7 +60,7 @@ void tell_sawtooth_draws(const CommonOptions& options, const runtime::DrawTally&
   if (draws.length_clamped + draws.correlation_clamped + draws.capped == 0) return;
   say(options,
       "of {} windows of a cutter and a direction, {} hold fewer pulses than the networks say; of the windows of a "
-      "cutter, {} have a correlation length too short for a sawtooth, and {} a correlation of x and y that their "
+      "cutter, {} have correlation lengths that no sawtooth has, and {} a correlation of x and y that their "
       "deviations do not allow\n",
       draws.drawn, draws.capped, draws.length_clamped, draws.correlation_clamped);
 }

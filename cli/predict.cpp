@@ -69,12 +69,12 @@ void run(const Options& options) {
           p.np1 * cut_length, p.np23 * cut_length, p.np4 * cut_length);
     }
   }
-  const auto& [x_mean, x_sd, y_mean, y_sd, length, correlation] = prediction.moments;
+  const auto& [x_mean, x_sd, y_mean, y_sd, length, brief, correlation] = prediction.moments;
   if (prediction.has_moments) {
     say(options.common,
-        "mean and standard deviation: x {:.4g} and {:.4g} kN/m, y {:.4g} and {:.4g} kN/m; correlation length {:.4g} "
-        "mm, correlation of x and y {:.3g}\n",
-        x_mean * 1e-3, x_sd * 1e-3, y_mean * 1e-3, y_sd * 1e-3, length * 1e3, correlation);
+        "mean and standard deviation: x {:.4g} and {:.4g} kN/m, y {:.4g} and {:.4g} kN/m; correlation lengths {:.4g} "
+        "and {:.4g} mm, correlation of x and y {:.3g}\n",
+        x_mean * 1e-3, x_sd * 1e-3, y_mean * 1e-3, y_sd * 1e-3, length * 1e3, brief * 1e3, correlation);
   }
   nlohmann::json result{{"x", as_json(prediction.x)},
                         {"y", as_json(prediction.y)},

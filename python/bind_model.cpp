@@ -138,13 +138,13 @@ void bind_model(py::module_& module) {
            "of cutter width], x_np1_per_m, x_np23_per_m, x_np4_per_m [peaks per metre of cut], the same of y (axial), "
            "and\n"
            "where the model has them x_mean_N_per_m, x_sd_N_per_m, y_mean_N_per_m, y_sd_N_per_m,\n"
-           "correlation_length_m, xy_correlation; and\n"
+           "correlation_length_m, short_correlation_length_m, xy_correlation; and\n"
            "inside_training_range [bool]: where it is False the networks extrapolate.")
       .def_readonly("rock", &Model::rock, "which rock, in words")
       .def_property_readonly("inputs", &inputs, "three dicts: name, unit, low, high (training range, in that unit)")
       .def_property_readonly(
           "outputs", &outputs,
-          "ten or sixteen dicts: name, unit, low, high, layers, output_activation, best_epoch, restarts")
+          "ten or seventeen dicts: name, unit, low, high, layers, output_activation, best_epoch, restarts")
       .def_property_readonly("learning_curves", &learning_curves,
                              "by output: dict of arrays epoch, train_mse, validation_mse, test_mse (scaled units)")
       .def_property_readonly("provenance", &provenance, "dict: data, seeds and cases of the training")

@@ -21,7 +21,6 @@ constexpr double allowed_width_error = 0.1;
 base::Section describe_bit(Bit& bit, BitWords& words) {
   const base::Range diameter = base::between(10.0, 5000.0);  // from a core bit on the bench to a shaft
   const base::Range window = base::between(1.0, 360.0);
-  const base::Range drop = base::between(1e-3, 10.0);
   const base::Range factor = base::between(0.01, 2.0);  // pulses without width have no force
   return {
       "bit",
@@ -30,7 +29,6 @@ base::Section describe_bit(Bit& bit, BitWords& words) {
        {"mode", &words.mode, 1.0, base::any(),
         "what the force is rebuilt by: 'sawtooth', 'article', 'article-literal', or 'auto': sawtooth when the model "
         "can, else article"},
-       {"drop_length_mm", &bit.signal.drop_length, mm, drop, "length over which a sawtooth falls"},
        {"window_angle_deg", &bit.signal.window_angle, deg, window, "angle over which peaks are drawn together"},
        {"pulse_width_factor", &bit.signal.pulse_width_factor, 1.0, factor,
         "half-width of a peak over half the mean distance of peaks"},

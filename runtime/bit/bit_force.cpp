@@ -22,9 +22,6 @@ void require_usable(const Bit& bit, const surrogate::Model& model) {
     throw base::InputError(fmt::format("bit {}: pulse width factor {} (must be above 0 and at most 2)", bit.name,
                                        bit.signal.pulse_width_factor));
   }
-  if (!positive(bit.signal.drop_length)) {
-    throw base::InputError(fmt::format("bit {}: drop length {} m (must be above 0)", bit.name, bit.signal.drop_length));
-  }
   if (bit.signal.mode == SignalMode::sawtooth && !surrogate::has_moments(model)) {
     throw base::InputError(fmt::format(
         "bit {}: mode 'sawtooth' needs networks of mean, sd, correlation length and correlation, which this model does "

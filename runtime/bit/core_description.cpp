@@ -43,7 +43,6 @@ CoreDescription describe(const Bit& bit, const surrogate::Model& model) {
                                                    : BITROCK_FIT_BAND_PRESERVING,
                               .seed = bit.signal.seed,
                               .average_window_s = 0.1,
-                              .drop_length_m = bit.signal.drop_length,
                               .mode = plain(mode_for(bit.signal.mode, model)),
                               .reserved = 0};
   plain_description.cutters = description.cutters.data();

@@ -47,7 +47,7 @@ const char* bitrock_status_text(bitrock_status status) {
     case BITROCK_BAD_CUTTER:
       return "cutters: 1 to 1000 of them, radius and width above 0, back rake finite, number within 32 bits";
     case BITROCK_BAD_MODEL:
-      return "model: ten or sixteen outputs, layers from 3 to 1 node, each of at most 64, all numbers finite, scales "
+      return "model: ten or seventeen outputs, layers from 3 to 1 node, each of at most 64, all numbers finite, scales "
              "of inputs above 0, low "
              "not "
              "above high";
@@ -64,9 +64,8 @@ const char* bitrock_status_text(bitrock_status status) {
     case BITROCK_BAD_STATE:
       return "the bytes are not a state of a core of the same description";
     case BITROCK_NO_MOMENTS:
-      return "the mode sawtooth needs a model of sixteen outputs: with mean, standard deviation, correlation length "
-             "and "
-             "correlation of the force";
+      return "the mode sawtooth needs a model of seventeen outputs: with mean, standard deviation, correlation "
+             "lengths and correlation of the force";
   }
   return "unknown status";
 }

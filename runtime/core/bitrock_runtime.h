@@ -87,8 +87,8 @@ enum {
 enum { BITROCK_RECTIFIED = 0, BITROCK_SOFTPLUS = 1, BITROCK_LINEAR = 2 }; /* last layer: max(0, x), ln(1 + e^x), x */
 
 /* What the force is rebuilt from. ARTICLE_LITERAL: peaks of five statistics, pulses of one width factor. ARTICLE: the
- * same; where the model has sixteen outputs, pulses are so wide that the mean of the model is met. SAWTOOTH: events of
- * mean, standard deviation and correlation length (signal/sawtooth_law.hpp); needs a model of sixteen outputs. */
+ * same; where the model has seventeen outputs, pulses are so wide that the mean of the model is met. SAWTOOTH: pulses
+ * of mean, standard deviation and correlation lengths (signal/sawtooth_law.hpp); needs a model of seventeen outputs. */
 enum { BITROCK_MODE_ARTICLE_LITERAL = 0, BITROCK_MODE_ARTICLE = 1, BITROCK_MODE_SAWTOOTH = 2 };
 
 typedef struct {
@@ -98,7 +98,6 @@ typedef struct {
   int32_t amplitude_fit;     /* BITROCK_FIT_... */
   uint64_t seed;             /* of all draws */
   double average_window_s;   /* of `averages`, above 0; 0.1 in the source article */
-  double drop_length_m;      /* delta, above 0 in every mode: a sawtooth falls over this length; 5e-5 is the default */
   int32_t mode;              /* BITROCK_MODE_... */
   int32_t reserved;          /* 0; the structure has no bytes without meaning, so its bytes can be compared */
 } bitrock_signal;
@@ -123,10 +122,11 @@ typedef struct {
 
 typedef struct {
   bitrock_input inputs[3];    /* cutter speed [m/s], depth of cut [mm], back rake [deg] */
-  bitrock_output outputs[16]; /* amax [N/m], amean [N/m], np1, np23, np4 [1/m of cut]: five of x (cutting direction),
-                                 five of y (axial direction); then, if there are sixteen, mean and standard deviation
-                                 of x, of y [N/m], correlation length [m], correlation of x and y [1] */
-  int32_t output_count;       /* 10 or 16 */
+  bitrock_output outputs[17]; /* amax [N/m], amean [N/m], np1, np23, np4 [1/m of cut]: five of x (cutting direction),
+                                 five of y (axial direction); then, if there are seventeen, mean and standard
+                                 deviation of x, of y [N/m], correlation length and short correlation length [m],
+                                 correlation of x and y [1] */
+  int32_t output_count;       /* 10 or 17 */
 } bitrock_model;
 
 typedef struct {
@@ -156,7 +156,7 @@ typedef struct {
   int64_t band_left;   /* peaks outside their band (BITROCK_FIT_ARTICLE) */
   int64_t narrowed;    /* those with so few peaks that they do not fill the window: widen it */
   int64_t capped;      /* those for which the model asked for more peaks than a window can hold */
-  int64_t length_clamped;      /* BITROCK_MODE_SAWTOOTH: those whose correlation length the pulses cannot have */
+  int64_t length_clamped;      /* BITROCK_MODE_SAWTOOTH: those whose correlation lengths the pulses cannot have */
   int64_t correlation_clamped; /* the same: those whose correlation of x and y is out of reach */
 } bitrock_tally;
 
@@ -168,7 +168,7 @@ BITROCK_API int32_t bitrock_runtime_version(void);
 /* A sentence on a status, in English; never null. */
 BITROCK_API const char* bitrock_status_text(bitrock_status status);
 
-/* Checks the description; how much memory its core takes: some 0.04 MB a cutter in BITROCK_MODE_SAWTOOTH,
+/* Checks the description; how much memory its core takes: some 0.1 MB a cutter in BITROCK_MODE_SAWTOOTH,
  * 0.3 MB in the others. */
 BITROCK_API bitrock_status bitrock_core_size(const bitrock_description* description, size_t* bytes);
 

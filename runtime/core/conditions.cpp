@@ -14,7 +14,7 @@ double scaled(const ModelNumbers& model, std::size_t input, double si_value, std
   return (answered / unit - numbers.offset) / numbers.scale;
 }
 
-constexpr std::size_t x_mean = 10, x_sd = 11, y_mean = 12, y_sd = 13, length = 14, correlation = 15;
+constexpr std::size_t x_mean = 10, x_sd = 11, y_mean = 12, y_sd = 13, length = 14, brief_length = 15, correlation = 16;
 
 bool needed(SignalMode mode, std::size_t output) {
   const bool of_the_article = output < surrogate::article_output_count;
@@ -68,6 +68,7 @@ ForceMoments moments(const Answer& outputs) {
           .y_mean = outputs[y_mean],
           .y_sd = outputs[y_sd],
           .correlation_length = outputs[length],
+          .short_correlation_length = outputs[brief_length],
           .xy_correlation = outputs[correlation]};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace bitrock::runtime {
 
@@ -57,7 +58,7 @@ void draw_laws(Core& core, std::size_t place, bool drills, DrawTally& tally) {
   for (std::int64_t i = 0; i < core.cutter_count; ++i) {
     const CoreCutter& cutter = cutters(core)[i];
     const ForceMoments wanted = drills ? moments(cutter.answer) : ForceMoments{};
-    sawtooth_forces(core)[i].laws[place] = sawtooth_law(wanted, core.signal, cutter.path_radius, tally);
+    sawtooth_cutters(core)[i].laws[place] = sawtooth_law(wanted, core.signal, cutter.path_radius, tally);
   }
 }
 
@@ -92,8 +93,9 @@ __attribute__((noinline)) BothDirections force_of_many(Core& core, std::int64_t 
   const ForcePerMetre force = force_at(cutter_forces(core)[i].train, core.signal.combine, angle);
   return BothDirections{force.x, force.y};
 }
-__attribute__((noinline)) void follow_events(Core& core, std::int64_t i, double angle) {
-  follow(sawtooth_forces(core)[i], core.windows.entered, angle, sawtooth_cutters(core)[i].reach);
+__attribute__((noinline)) void follow_pulses(Core& core, double angle) {
+  const std::span list(sawtooth_cutters(core), static_cast<std::size_t>(core.cutter_count));
+  follow(core.felt, pulse_blocks(core), list, core.signal.window_angle, core.windows.entered, angle);
 }
 
 template <Combine combine>
@@ -116,24 +118,15 @@ BITROCK_INTO_BOTH void sum_of_cutters(Core& core, double angle, bitrock_load& lo
   load = {.axial_force_N = sum[1], .torque_N_m = sum[0]};
 }
 
-BITROCK_INTO_BOTH void sum_of_events(Core& core, double angle, bitrock_load& load) {
-  FourNumbers torque{}, force{};
-  SawtoothCutter* const cutter = sawtooth_cutters(core);
-  const SawtoothForce* const from = sawtooth_forces(core);
-  for (std::int64_t i = 0; i < core.cutter_count; ++i) {
-    if (!(angle > cutter[i].reach.after && angle < cutter[i].reach.until)) follow_events(core, i, angle);
-    FourNumbers x{}, y{};
-    take(from[i].stream.blocks.data(), cutter[i].reach, cutter[i].inverse_drop, angle, x, y);
-    torque += cutter[i].torque_weight * x;
-    force += cutter[i].force_weight * y;
-  }
-  load = {.axial_force_N = (force[0] + force[1]) + (force[2] + force[3]),
-          .torque_N_m = (torque[0] + torque[1]) + (torque[2] + torque[3])};
+BITROCK_INTO_BOTH void sum_of_pulses(Core& core, double angle, bitrock_load& load) {
+  if (!(angle >= core.felt.from && angle < core.felt.until)) follow_pulses(core, angle);
+  core.felt.last = angle;
+  add_up(pulse_blocks(core), core.felt.count, angle, load.torque_N_m, load.axial_force_N);
 }
 
 BITROCK_INTO_BOTH void sum_as_asked(Core& core, double angle, bitrock_load& load) {
   if (is_sawtooth(core)) {
-    sum_of_events(core, angle, load);
+    sum_of_pulses(core, angle, load);
   } else if (core.signal.combine == Combine::sum) {
     sum_of_cutters<Combine::sum>(core, angle, load);
   } else {
@@ -181,13 +174,10 @@ bitrock_status update(Core& core, double angle, double rotation, double rate_of_
 void set_window(Core& core, std::int64_t window) {
   core.windows.entered = window;
   core.window_begin = window == no_window ? 0.0 : static_cast<double>(window) * core.signal.window_angle;
-  for (std::int64_t i = 0; i < core.cutter_count; ++i) {
-    if (is_sawtooth(core)) {
-      sawtooth_cutters(core)[i].reach = {};
-    } else {
-      ActiveCutter& cutter = active_cutters(core)[i];
-      cutter.until = cutter.after;
-    }
+  core.felt.until = core.felt.from;
+  for (std::int64_t i = 0; i < core.cutter_count && !is_sawtooth(core); ++i) {
+    ActiveCutter& cutter = active_cutters(core)[i];
+    cutter.until = cutter.after;
   }
 }
 
@@ -223,14 +213,11 @@ bool go_to(Core& core, const WindowMemory& windows) {
       restore(cutter_forces(core)[k], memory);
     }
   }
-  for (std::int64_t k = 0; k < core.cutter_count; ++k) {
-    if (is_sawtooth(core)) {
-      if (count > 0) forget(sawtooth_forces(core)[k]);
-    } else {
-      CutterMemory memory = cutter_forces(core)[k].memory;
-      memory.entered = windows.entered;
-      restore(cutter_forces(core)[k], memory);
-    }
+  if (count > 0) forget(core.felt);
+  for (std::int64_t k = 0; k < core.cutter_count && !is_sawtooth(core); ++k) {
+    CutterMemory memory = cutter_forces(core)[k].memory;
+    memory.entered = windows.entered;
+    restore(cutter_forces(core)[k], memory);
   }
   set_window(core, windows.entered);
   return true;

@@ -11,7 +11,7 @@
 #include "runtime/core/conditions.hpp"
 #include "runtime/laws/moving_average.hpp"
 #include "runtime/signal/cutter_force.hpp"
-#include "runtime/signal/sawtooth_force.hpp"
+#include "runtime/signal/felt_pulses.hpp"
 
 namespace bitrock::runtime {
 
@@ -25,17 +25,9 @@ struct alignas(16) CoreCutter {
   Answer answer{};           ///< of the model, while a window is entered
 };
 
-/// A cutter of the mode of events, as far as it is looked at each time.
-struct alignas(16) SawtoothCutter {
-  SawtoothReach reach;
-  double inverse_drop = 0.0;   ///< [1/rad]
-  double torque_weight = 0.0;  ///< [m2] width times arm
-  double force_weight = 0.0;   ///< [m] width
-};
-
 /// What a core is, then what it knows, then how far it is. Behind it in memory: `cutter_count` cutters; as many of what
-/// their mode looks at each time, `ActiveCutter` or `SawtoothCutter`; as many of what that is taken from, `CutterForce`
-/// or `SawtoothForce`; then the parameters of the networks.
+/// their mode looks at each time, `ActiveCutter` or `SawtoothCutter`; what that is taken from, `cutter_count`
+/// `CutterForce` or `most_felt_blocks` `PulseBlock`; then the parameters of the networks.
 struct alignas(16) Core {
   std::uint64_t magic = 0;           ///< `core_magic`
   std::uint64_t fingerprint = 0;     ///< of the description: states belong to it
@@ -49,6 +41,7 @@ struct alignas(16) Core {
 
   WindowMemory windows;               ///< drawn so far
   double window_begin = 0.0;          ///< [rad] of the window entered last
+  FeltPulses felt;                    ///< of the mode "sawtooth"
   DrawTally draws;                    ///< besides what the cutters of the modes of peaks have counted
   ClampTally clamps;                  ///< questions so far
   MovingAverage rotation;             ///< [rad/s]
@@ -77,12 +70,13 @@ inline const CutterForce* cutter_forces(const Core& core) {
 inline SawtoothCutter* sawtooth_cutters(Core& core) {
   return reinterpret_cast<SawtoothCutter*>(cutters(core) + core.cutter_count);
 }
-inline SawtoothForce* sawtooth_forces(Core& core) {
-  return reinterpret_cast<SawtoothForce*>(sawtooth_cutters(core) + core.cutter_count);
+inline PulseBlock* pulse_blocks(Core& core) {
+  return reinterpret_cast<PulseBlock*>(sawtooth_cutters(core) + core.cutter_count);
 }
 /// Behind the cutters in memory.
 inline double* parameters(Core& core) {
-  return is_sawtooth(core) ? reinterpret_cast<double*>(sawtooth_forces(core) + core.cutter_count)
+  return is_sawtooth(core) ? reinterpret_cast<double*>(pulse_blocks(core) +
+                                                       most_felt_blocks(static_cast<std::size_t>(core.cutter_count)))
                            : reinterpret_cast<double*>(cutter_forces(core) + core.cutter_count);
 }
 
@@ -106,14 +100,14 @@ void reset(Core& core);
 
 /// **What** Load on the bit.
 /// **Equation** W(theta) = sum_i F_y,i(theta) w_i; T(theta) = sum_i F_x,i(theta) w_i r_i, i in the order of the bit.
-/// **Symbols** F_x,i, F_y,i [N/m] force on cutter i per metre of width (`cutter_force.hpp`, `sawtooth_force.hpp`); w_i
+/// **Symbols** F_x,i, F_y,i [N/m] force on cutter i per metre of width (`cutter_force.hpp`, `felt_pulses.hpp`); w_i
 /// [m]; r_i [m].
 /// **Source** [BitRock2026, sec. 3.3]: superposition and arm. The width is ours: the article does not say how
 /// the force of a two-dimensional simulation, which is per metre of thickness, becomes a force.
 /// **Differences and validity** Cutters do not feel each other. Without friction under worn cutters the mean torque of
 /// a bit whose rings cover the face, each resisted by eps w d, is eps a^2 d / 2 [DetournayDefourny1992]. Conditions are
 /// asked for when the angle enters a window and hold for the window after it (peaks, see `enter_window`) or for this
-/// one (events). ROP not above `slowest_advance` means nothing is cut: windows drawn then are empty. Any other ROP,
+/// one (sawteeth). ROP not above `slowest_advance` means nothing is cut: windows drawn then are empty. Any other ROP,
 /// however small, is clamped to the shallowest cut the network knows, so the force does not vanish with the depth.
 bitrock_status update(Core& core, double angle, double rotation, double rate_of_penetration, bitrock_load& load);
 
@@ -130,7 +124,7 @@ void set_draws(Core& core, const DrawTally& draws);
 
 /// Windows that can be felt in window k: from k - 1 to k + this.
 inline std::int64_t windows_ahead(const Core& core) {
-  return is_sawtooth(core) ? 0 : 1;  // events do not reach back
+  return is_sawtooth(core) ? 0 : 1;  // sawteeth do not reach back
 }
 
 /// That its state needs.

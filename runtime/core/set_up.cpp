@@ -21,8 +21,8 @@ bool positive(double value) {
 bitrock_status check_signal(const bitrock_signal& signal) {
   const bool fits =
       positive(signal.window_angle_rad) && positive(signal.pulse_width_factor) && signal.pulse_width_factor <= 2.0 &&
-      positive(signal.average_window_s) && positive(signal.drop_length_m) &&
-      signal.mode >= BITROCK_MODE_ARTICLE_LITERAL && signal.mode <= BITROCK_MODE_SAWTOOTH &&
+      positive(signal.average_window_s) && signal.mode >= BITROCK_MODE_ARTICLE_LITERAL &&
+      signal.mode <= BITROCK_MODE_SAWTOOTH &&
       (signal.combine == BITROCK_COMBINE_SUM || signal.combine == BITROCK_COMBINE_MAX) &&
       (signal.amplitude_fit == BITROCK_FIT_BAND_PRESERVING || signal.amplitude_fit == BITROCK_FIT_ARTICLE);
   return fits ? BITROCK_OK : BITROCK_BAD_SIGNAL;
@@ -123,13 +123,9 @@ void take_signal(Core& core, const bitrock_signal& from, Fingerprint& print) {
                  .combine = from.combine == BITROCK_COMBINE_MAX ? Combine::max : Combine::sum,
                  .amplitude_fit =
                      from.amplitude_fit == BITROCK_FIT_ARTICLE ? AmplitudeFit::article : AmplitudeFit::band_preserving,
-                 .drop_length = from.drop_length_m,
                  .seed = from.seed};
   core.average_window = from.average_window_s;
-  for (const double number :
-       {from.window_angle_rad, from.pulse_width_factor, from.average_window_s, from.drop_length_m}) {
-    print.add(number);
-  }
+  for (const double number : {from.window_angle_rad, from.pulse_width_factor, from.average_window_s}) print.add(number);
   print.add(static_cast<std::uint64_t>(from.mode));
   print.add(static_cast<std::uint64_t>(from.combine));
   print.add(static_cast<std::uint64_t>(from.amplitude_fit));
@@ -160,17 +156,18 @@ bitrock_status check(const bitrock_description& description, std::int64_t& param
 }
 
 std::size_t core_bytes(const bitrock_description& description, std::int64_t parameter_count) {
+  const auto count = static_cast<std::size_t>(description.cutter_count);
   const std::size_t of_mode = description.signal.mode == BITROCK_MODE_SAWTOOTH
-                                  ? sizeof(SawtoothCutter) + sizeof(SawtoothForce)
-                                  : sizeof(ActiveCutter) + sizeof(CutterForce);
-  return sizeof(Core) + static_cast<std::size_t>(description.cutter_count) * (sizeof(CoreCutter) + of_mode) +
+                                  ? count * sizeof(SawtoothCutter) + most_felt_blocks(count) * sizeof(PulseBlock)
+                                  : count * (sizeof(ActiveCutter) + sizeof(CutterForce));
+  return sizeof(Core) + count * sizeof(CoreCutter) + of_mode +
          static_cast<std::size_t>(parameter_count) * sizeof(double);
 }
 
 Core* make_core(void* memory, const bitrock_description& description, std::int64_t parameter_count) {
   static_assert(sizeof(Core) % core_alignment == 0 && sizeof(CoreCutter) % core_alignment == 0 &&
                 sizeof(SawtoothCutter) % core_alignment == 0 && alignof(ActiveCutter) == core_alignment &&
-                alignof(SawtoothForce) == core_alignment);
+                alignof(SawtoothCutter) == core_alignment && alignof(PulseBlock) == core_alignment);
   Core& core = *new (memory) Core;
   core.cutter_count = description.cutter_count;
   core.parameter_count = parameter_count;
@@ -182,11 +179,11 @@ Core* make_core(void* memory, const bitrock_description& description, std::int64
     take_cutter(*new (cutters(core) + i) CoreCutter, cutter, print);
     const int number = static_cast<int>(cutter.number);
     if (is_sawtooth(core)) {
-      set_up(*new (sawtooth_forces(core) + i) SawtoothForce, core.signal, number, cutter.radius_m, core.wide);
       SawtoothCutter& active = *new (sawtooth_cutters(core) + i) SawtoothCutter;
-      active.inverse_drop = 1.0 / drop_angle(core.signal, cutter.radius_m);
-      active.torque_weight = cutter.width_m * cutter.radius_m;
-      active.force_weight = cutter.width_m;
+      active.seed = core.signal.seed;
+      active.number = number;
+      active.wide = core.wide;
+      active.weights = {.torque = cutter.width_m * cutter.radius_m, .force = cutter.width_m};
     } else {
       set_up(*new (cutter_forces(core) + i) CutterForce, core.signal, number, cutter.radius_m);
       (new (active_cutters(core) + i) ActiveCutter)->weight =
@@ -209,14 +206,11 @@ Core* make_core(void* memory, const bitrock_description& description, std::int64
 }
 
 void reset(Core& core) {
-  for (std::int64_t i = 0; i < core.cutter_count; ++i) {
-    if (is_sawtooth(core)) {
-      forget(sawtooth_forces(core)[i]);
-    } else {
-      CutterForce& force = cutter_forces(core)[i];
-      set_up(force, force.settings, force.cutter, force.path_radius);
-    }
+  for (std::int64_t i = 0; i < core.cutter_count && !is_sawtooth(core); ++i) {
+    CutterForce& force = cutter_forces(core)[i];
+    set_up(force, force.settings, force.cutter, force.path_radius);
   }
+  forget(core.felt);
   core.windows = {};
   core.windows.kept.fill(no_window);
   core.draws = {};

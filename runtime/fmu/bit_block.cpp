@@ -56,7 +56,6 @@ void read_signal(Words& words, BitBlock& block) {
   words.read(signal.combine);
   words.read(signal.amplitude_fit);
   words.read(signal.seed);
-  words.read(signal.drop_length_m);
   words.read(signal.mode);
 }
 

@@ -25,7 +25,7 @@
 namespace bitrock::fmu {
 
 inline constexpr std::uint64_t block_magic = 0x6b636f6c42746942ULL;    ///< "BitBlock"
-inline constexpr std::uint64_t block_version = 2;                      ///< of the bytes
+inline constexpr std::uint64_t block_version = 3;                      ///< of the bytes
 inline constexpr std::size_t block_checked_from = 32;                  ///< [bytes]
 inline constexpr std::size_t guid_bytes = 40;                          ///< with at least one 0 at the end
 inline constexpr std::size_t most_block_bytes = std::size_t{1} << 26;  ///< 64 MB: far above any bit, far below memory
@@ -36,7 +36,7 @@ struct BitBlock {
   std::array<char, guid_bytes> guid{};
   double threshold_weight = 0.0;                          ///< [N]
   bitrock_description description{};                      ///< points into the bytes
-  std::array<std::array<std::int32_t, 16>, 16> layers{};  ///< of each output
+  std::array<std::array<std::int32_t, 16>, 17> layers{};  ///< of each output
 };
 
 /// Reads `bytes`, on an address divisible by 8. Null when they are whole and describe a core that can be made;

@@ -29,8 +29,7 @@ bitrock_description description_with(const Slave& slave, const bitrock_signal& s
 bool same(const bitrock_signal& a, const bitrock_signal& b) {
   return a.window_angle_rad == b.window_angle_rad && a.pulse_width_factor == b.pulse_width_factor &&
          a.combine == b.combine && a.amplitude_fit == b.amplitude_fit && a.seed == b.seed &&
-         a.average_window_s == b.average_window_s && a.drop_length_m == b.drop_length_m && a.mode == b.mode &&
-         a.reserved == b.reserved;
+         a.average_window_s == b.average_window_s && a.mode == b.mode && a.reserved == b.reserved;
 }
 static_assert(std::has_unique_object_representations_v<Phase>, "states are copied as bytes");
 

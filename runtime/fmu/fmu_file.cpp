@@ -68,7 +68,7 @@ std::string bit_block(const bitrock_description& description, double threshold_w
   body.resize(guid_bytes, '\0');
   const bitrock_signal& signal = description.signal;
   put_all(body, signal.window_angle_rad, signal.pulse_width_factor, signal.average_window_s, threshold_weight,
-          signal.combine, signal.amplitude_fit, signal.seed, signal.drop_length_m, signal.mode);
+          signal.combine, signal.amplitude_fit, signal.seed, signal.mode);
   put(body, description.cutter_count);
   for (std::int64_t i = 0; i < description.cutter_count; ++i) {
     const bitrock_cutter& cutter = description.cutters[i];

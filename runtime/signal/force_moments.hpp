@@ -1,5 +1,5 @@
 #pragma once
-/// What the sawtooth force (`sawtooth_law.hpp`) is rebuilt from: six numbers of both components, as plain data.
+/// What the sawtooth force (`sawtooth_law.hpp`) is rebuilt from: seven numbers of both components, as plain data.
 
 namespace bitrock::runtime {
 
@@ -10,7 +10,8 @@ struct ForceMoments {
   double y_mean = 0.0;              ///< [N/m]
   double y_sd = 0.0;                ///< [N/m]
   double correlation_length = 0.0;  ///< [m] lag at which the autocorrelation has fallen to 1/e, of both components
-  double xy_correlation = 0.0;      ///< [1] Pearson's, of x and y
+  double short_correlation_length = 0.0;  ///< [m] the same for 3/4
+  double xy_correlation = 0.0;            ///< [1] Pearson's, of x and y
 
   bool operator==(const ForceMoments&) const = default;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/signal/rise_lengths.hpp"
+
 namespace bitrock::runtime {
 
 namespace {
@@ -15,34 +17,39 @@ double wanted(double moment) {
   return std::clamp(moment, 0.0, countless);
 }
 
-/// G_1, G_2, G_3 for heights up to c.
-struct HeightMoments {
-  double first, second, third;
-};
-
-HeightMoments height_moments(double c) {
-  const double beyond = std::exp(-c);
-  return {1.0 - beyond, 2.0 * (1.0 - beyond * (1.0 + c)), 6.0 * (1.0 - beyond * (1.0 + c + 0.5 * c * c))};
-}
-
-/// lambda and a of one component, in the units of m1: events per length, height.
+/// lambda and a of one component: pulses per length, height.
 struct Component {
   double density = 0.0, height = 0.0;
 };
 
-Component component(double mean, double sd, double m1, double m2, double cell, DrawTally& tally) {
+Component component(double mean, double sd, double mean_length, double cell, DrawTally& tally) {
   if (!(mean > 0.0)) return {};
   ++tally.drawn;
   const double most = most_expected / cell;
-  const double coefficient = sd * m1 / mean;
-  double density = m2 / (coefficient * coefficient);
+  double height = sd * (sd / mean) / (4.0 * square_of_step);
+  double density = 2.0 * mean / (height * mean_length);
   if (!(density <= most)) {
     ++tally.capped;
     density = most;
+    height = 2.0 * mean / (density * mean_length);
   }
-  const double height = mean / (density * m1);
-  // so rare that no event will ever come, and no double holds how high it were
+  // so rare that no pulse will ever come, and no double holds how high it were
   return density > 0.0 && std::isfinite(height) ? Component{density, height} : Component{};
+}
+
+/// The lengths of the pulses, as angles, none longer than a window.
+RiseLengths lengths(const ForceMoments& moments, double window, double path_radius, DrawTally& tally) {
+  const double usual = std::min(wanted(moments.correlation_length), countless);
+  const double brief = std::min(wanted(moments.short_correlation_length), countless);
+  const double least = shortest_length;
+  RiseLengths found = rise_lengths(std::max(usual, least) / path_radius, std::max(brief, least) / path_radius);
+  if (found.clamped || usual < least || brief < least) ++tally.length_clamped;
+  const double room = window / apart;
+  if (found.longest + found.drop > room) {
+    ++tally.narrowed;
+    found = shortened(found, room / (found.longest + found.drop));
+  }
+  return found;
 }
 
 }  // namespace
@@ -51,32 +58,22 @@ SawtoothLaw sawtooth_law(const ForceMoments& moments, const SignalSettings& sett
                          DrawTally& tally) {
   const double window = settings.window_angle;
   const double x_mean = wanted(moments.x_mean), y_mean = wanted(moments.y_mean);
-  SawtoothLaw law{.highest = highest_unit, .cell = window};
+  SawtoothLaw law{.cell = window};
   if (!(x_mean > 0.0 || y_mean > 0.0)) return law;
 
-  law.drop = drop_angle(settings, path_radius);
-  const double length = std::min(wanted(moments.correlation_length) / path_radius, countless);
-  law.rise = (length - length_of_drop * law.drop) / length_of_rise;
-  if (const double shortest = shortest_rise * law.drop; law.rise < shortest) {
-    tally.length_clamped += law.rise * apart < shortest ? 1 : 0;
-    law.rise = shortest;
-  }
-  // a pulse ends at most one window behind its beginning
-  const double room = window / apart - law.drop;
-  if (law.rise * law.highest > room) {
-    ++tally.narrowed;
-    law.rise = std::min(law.rise, room);
-    law.highest = room / law.rise;
-  }
+  const RiseLengths rises = lengths(moments, window, path_radius, tally);
+  law.power = whole_power(rises.exponent);
+  law.part = rises.exponent - law.power;
+  law.rise = rises.scale;
+  law.least_rise = rises.least;
+  law.drop = rises.drop;
+  law.inverse_drop = 1.0 / rises.drop;
 
-  const HeightMoments g = height_moments(law.highest);
-  const double m1 = 0.5 * (law.rise * g.second + law.drop * g.first);
-  const double m2 = square_of_step * (law.rise * g.third + law.drop * g.second);
-  // the shortest cells that hold a pulse; longer ones below when events are few
-  const double reach = law.rise * law.highest + law.drop;
-  const double most_cells = std::max(1.0, std::floor(window / (apart * reach)));
-  const Component x = component(x_mean, wanted(moments.x_sd), m1, m2, window / most_cells, tally);
-  const Component y = component(y_mean, wanted(moments.y_sd), m1, m2, window / most_cells, tally);
+  // the shortest cells that hold a pulse; longer ones below when pulses are few
+  const double mean_length = rises.mean + rises.drop, longest = rises.longest + rises.drop;
+  const double most_cells = std::max(1.0, std::floor(window / (apart * longest)));
+  const Component x = component(x_mean, wanted(moments.x_sd), mean_length, window / most_cells, tally);
+  const Component y = component(y_mean, wanted(moments.y_sd), mean_length, window / most_cells, tally);
   law.x_height = x.height;
   law.y_height = y.height;
 
@@ -86,6 +83,7 @@ SawtoothLaw sawtooth_law(const ForceMoments& moments, const SignalSettings& sett
   both = std::clamp(both, 0.0, most_both);
   law.density = x.density + y.density - both;
   if (!(law.density > 0.0)) return law;
+  law.mean_gap = 1.0 / law.density;
   law.both_below = both / law.density;
   law.x_below = x.density / law.density;
 

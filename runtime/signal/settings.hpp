@@ -22,11 +22,8 @@ enum class SignalMode {
   automatic,        ///< sawtooth when the model can, else article
   article,          ///< peaks of five statistics; where the model knows the mean, pulses so wide that it is met
   article_literal,  ///< the same, pulses of one width factor
-  sawtooth,         ///< events of mean, standard deviation and correlation length; see `sawtooth_law.hpp`
+  sawtooth,         ///< events of mean, standard deviation and correlation lengths; see `sawtooth_law.hpp`
 };
-
-/// A tenth of a grain of 0.5 mm.
-inline constexpr double default_drop_length = 0.05e-3;  ///< [m]
 
 struct SignalSettings {
   SignalMode mode = SignalMode::automatic;
@@ -34,8 +31,7 @@ struct SignalSettings {
   double pulse_width_factor = 1.0;  ///< [1] f, above 0 and at most 2: pulses reach no further than one window away
   Combine combine = Combine::sum;   ///< of overlapping pulses
   AmplitudeFit amplitude_fit = AmplitudeFit::band_preserving;  ///< of the heights to their mean
-  double drop_length = default_drop_length;  ///< [m] delta, above 0: a sawtooth falls over this length
-  std::uint64_t seed = 0;                    ///< of all draws
+  std::uint64_t seed = 0;                                      ///< of all draws
 };
 
 }  // namespace bitrock::runtime

@@ -37,9 +37,9 @@ struct DrawTally {
   std::int64_t mean_missed = 0;  ///< mean height other than amean (band-preserving: over all windows of the statistics)
   std::int64_t band_left = 0;    ///< peaks outside their band (article's scaling only)
   std::int64_t narrowed = 0;     ///< pulses as wide as a window that should be wider: less than f / 2 peaks expected;
-                                 ///< or windows too short for the highest sawtooth
+                                 ///< or windows too short for the longest sawtooth
   std::int64_t capped = 0;       ///< more than `largest_peak_count` peaks, or more events than a cell holds, asked for
-  std::int64_t length_clamped = 0;       ///< correlation length shorter than the fall of a sawtooth allows
+  std::int64_t length_clamped = 0;       ///< correlation lengths that no train of sawteeth has
   std::int64_t correlation_clamped = 0;  ///< correlation of x and y that the two deviations do not allow
 
   /// Adds the counts of another bit or run.

@@ -69,12 +69,12 @@ const char* mode(std::int32_t number) {
 std::string signal(const bitrock_signal& signal) {
   return fmt::format(
       "  /* window [rad], pulse width factor [1], how pulses combine, how heights are fitted, seed, averages over [s], "
-      "drop length [m], mode */\n"
-      "  {{{}, {}, {}, {}, UINT64_C({}), {}, {}, {}, 0}},\n",
+      "mode */\n"
+      "  {{{}, {}, {}, {}, UINT64_C({}), {}, {}, 0}},\n",
       number_text(signal.window_angle_rad), number_text(signal.pulse_width_factor),
       signal.combine == BITROCK_COMBINE_MAX ? "BITROCK_COMBINE_MAX" : "BITROCK_COMBINE_SUM",
       signal.amplitude_fit == BITROCK_FIT_ARTICLE ? "BITROCK_FIT_ARTICLE" : "BITROCK_FIT_BAND_PRESERVING", signal.seed,
-      number_text(signal.average_window_s), number_text(signal.drop_length_m), mode(signal.mode));
+      number_text(signal.average_window_s), mode(signal.mode));
 }
 
 const char* activation(std::int32_t number) {

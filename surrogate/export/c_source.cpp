@@ -247,7 +247,7 @@ std::string c_source(const Model& model, std::string_view prefix) {
   const std::size_t outputs = model.outputs.size();
   std::string text = head(model, prefix) + replaced(code, "PREFIX", prefix);
   text = replaced(std::move(text), "OUTPUTS", fmt::format("{}", outputs));
-  return replaced(std::move(text), "WORDS", outputs == most_outputs ? "sixteen" : "ten");
+  return replaced(std::move(text), "WORDS", outputs == most_outputs ? "seventeen" : "ten");
 }
 
 }  // namespace bitrock::surrogate

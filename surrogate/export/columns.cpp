@@ -22,13 +22,14 @@ constexpr std::array<const char*, statistics_count> statistic_meanings{
     "height of the highest peak", "mean height of all peaks", "peaks above 75 % of the highest",
     "peaks of 25 % to 75 % of the highest", "peaks below 25 % of the highest"};
 
-/// Of the six behind these.
+/// Of the seven behind these.
 constexpr std::array<const char*, moment_count> moment_meanings{
     "mean of the force over the travel",
     "standard deviation of the force over the travel",
     "mean of the force over the travel",
     "standard deviation of the force over the travel",
     "lag at which the autocorrelation over travel has fallen to 1/e",
+    "lag at which the autocorrelation over travel has fallen to 3/4",
     "correlation of the two components"};
 
 }  // namespace

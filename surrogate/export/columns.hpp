@@ -1,6 +1,6 @@
 #pragma once
 /// The columns of an exported model, in SI: bitrock's own files carry the units of the field (mm, degrees), but a model
-/// that lives in somebody's simulation is fed by that simulation. Three conditions in, ten or sixteen statistics out,
+/// that lives in somebody's simulation is fed by that simulation. Three conditions in, ten or seventeen statistics out,
 /// in the order of `input_names` and `output_names`. Forces are per metre of thickness out of the plane of cutting,
 /// peaks per metre of cut.
 

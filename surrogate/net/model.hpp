@@ -1,7 +1,7 @@
 #pragma once
 /// The force model of one cutter in one rock: small networks with the names, units, training range and scaling of
 /// what goes in and comes out. `predict` answers, for one set of cutting conditions, the five peak statistics of the
-/// force in the cutting direction x and in the axial direction y [BitRock2026, sec. 3.2]; a model of sixteen networks
+/// force in the cutting direction x and in the axial direction y [BitRock2026, sec. 3.2]; a model of seventeen networks
 /// also means, standard deviations, correlation length and correlation of the two, which are ours. It does not rebuild
 /// force histories (runtime/), does not learn (surrogate/train/), and reading and writing are in `model_file.hpp`.
 
@@ -114,8 +114,9 @@ inline constexpr std::array<VariableName, input_count> input_names{{
 }};
 
 /// x first, then y. Peak counts are per metre of cut, so that they do not depend on how long a cut was simulated.
-/// Then, in models that have them: mean and standard deviation of each component over the travel; the lag at which the
-/// autocorrelation over travel has fallen to 1/e, the mean of both components; Pearson's correlation of the two.
+/// Then, in models that have them: mean and standard deviation of each component over the travel; the lags at which
+/// the autocorrelation over travel has fallen to 1/e and to 3/4, the means of both components; Pearson's correlation of
+/// the two.
 inline constexpr std::array<VariableName, most_outputs> output_names{{
     {"x_amax_N_per_m", "N/m", 1.0},
     {"x_amean_N_per_m", "N/m", 1.0},
@@ -132,6 +133,7 @@ inline constexpr std::array<VariableName, most_outputs> output_names{{
     {"y_mean_N_per_m", "N/m", 1.0},
     {"y_sd_N_per_m", "N/m", 1.0},
     {"correlation_length_m", "m", 1.0},
+    {"short_correlation_length_m", "m", 1.0},
     {"xy_correlation", "1", 1.0},
 }};
 
@@ -142,13 +144,13 @@ inline bool is_count(std::size_t output) {
 
 struct Model {
   std::array<Variable, input_count> inputs;  ///< in the order of `input_names`
-  /// Ten or sixteen, in the order of `output_names`.
+  /// Ten or seventeen, in the order of `output_names`.
   std::vector<OutputModel> outputs{std::vector<OutputModel>(article_output_count)};
   std::string rock;       ///< which rock, for people
   Provenance provenance;  ///< where it comes from
 };
 
-/// It has the six outputs behind the article's ten.
+/// It has the seven outputs behind the article's ten.
 inline bool has_moments(const Model& model) {
   return model.outputs.size() == most_outputs;
 }
@@ -175,12 +177,12 @@ struct OutputValues {
 struct Prediction {
   peaks::PeakRates x;                          ///< cutting direction
   peaks::PeakRates y;                          ///< axial direction, out of the rock
-  std::array<double, moment_count> moments{};  ///< the six outputs behind the ten, where the model has them
+  std::array<double, moment_count> moments{};  ///< the seven outputs behind the ten, where the model has them
   bool has_moments = false;                    ///< whether the model has them
   bool inside_training_range = false;          ///< for these conditions
 };
 
-/// The ten or sixteen numbers in the order of `output_names`.
+/// The ten or seventeen numbers in the order of `output_names`.
 OutputValues listed(const Prediction& prediction);
 
 /// Takes no memory, does not throw, does not clamp: outside the training range it extrapolates and says so.

@@ -295,7 +295,7 @@ Model model_from_text(std::string_view text, const std::string& name) {
     model.inputs[i] = read_variable(root.at("inputs").at(i), input_names[i]);
   }
   const JsonPlace outputs = root.at("outputs");
-  // the six behind the article's ten are there together or not at all
+  // the seven behind the article's ten are there together or not at all
   const bool with_moments = outputs.list() > article_output_count;
   outputs.list_of(with_moments ? most_outputs : article_output_count);
   model.outputs.resize(outputs.list());

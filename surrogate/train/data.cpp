@@ -20,28 +20,40 @@ namespace bitrock::surrogate {
 namespace {
 
 /// Columns of the file, in the order of `output_names`: there, counts are per metre; here they are plain counts.
-constexpr std::array<const char*, most_outputs> output_columns{
-    "x_amax_N_per_m", "x_amean_N_per_m", "x_np1",          "x_np23",       "x_np4",
-    "y_amax_N_per_m", "y_amean_N_per_m", "y_np1",          "y_np23",       "y_np4",
-    "x_mean_N_per_m", "x_sd_N_per_m",    "y_mean_N_per_m", "y_sd_N_per_m", "correlation_length_mm",
-    "xy_correlation"};
-constexpr std::size_t length_output = 14, correlation_output = 15;
+constexpr std::array<const char*, most_outputs> output_columns{"x_amax_N_per_m",
+                                                               "x_amean_N_per_m",
+                                                               "x_np1",
+                                                               "x_np23",
+                                                               "x_np4",
+                                                               "y_amax_N_per_m",
+                                                               "y_amean_N_per_m",
+                                                               "y_np1",
+                                                               "y_np23",
+                                                               "y_np4",
+                                                               "x_mean_N_per_m",
+                                                               "x_sd_N_per_m",
+                                                               "y_mean_N_per_m",
+                                                               "y_sd_N_per_m",
+                                                               "correlation_length_mm",
+                                                               "short_correlation_length_mm",
+                                                               "xy_correlation"};
+constexpr std::size_t length_output = 14, short_length_output = 15, correlation_output = 16;
 
 /// What turns a number of the column into the unit of the output.
 double factor_of(std::size_t output, double cut_length) {
   if (is_count(output)) return 1.0 / cut_length;
-  return output == length_output ? 1e-3 : 1.0;
+  return output == length_output || output == short_length_output ? 1e-3 : 1.0;
 }
 
-/// A column that only tables with all six of these have.
+/// A column that only tables with all seven of these have.
 bool has_moments(const base::CsvTable& table) {
   const auto at = [&](std::size_t output) { return table.has(output_columns[output]); };
-  const bool any = at(11) || at(13) || at(length_output) || at(correlation_output);
+  const bool any = at(11) || at(13) || at(length_output) || at(short_length_output) || at(correlation_output);
   for (std::size_t i = article_output_count; any && i < output_columns.size(); ++i) {
     if (at(i)) continue;
     throw base::InputError(
-        fmt::format("{}: no column {} (the other columns of mean, sd, correlation length and "
-                    "correlation are there; it takes all six, or none)",
+        fmt::format("{}: no column {} (other columns of mean, sd, correlation lengths and "
+                    "correlation are there; it takes all seven, or none)",
                     table.source, output_columns[i]));
   }
   return any;
@@ -113,7 +125,7 @@ void read_errors(const base::CsvTable& table, std::size_t row, TrainingRow& read
 /// What a cell of this output may be: where noise can make a number negative, that is no error.
 base::Range range_of(std::size_t output) {
   if (output == correlation_output) return base::between(-1.0, 1.0);
-  if (output == length_output) return positive();
+  if (output == length_output || output == short_length_output) return positive();
   return output == 10 || output == 12 ? base::between(-largest, largest) : not_negative();
 }
 
@@ -145,6 +157,12 @@ TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seed
                     "highest: are the columns swapped?)",
                     table.source, read.line, output_columns[mean], read.outputs[mean], output_columns[highest],
                     read.outputs[highest]));
+  }
+  if (outputs == most_outputs && read.outputs[short_length_output] > read.outputs[length_output] * (1.0 + rounding)) {
+    throw base::InputError(fmt::format(
+        "{}:{}: short_correlation_length_mm is above correlation_length_mm (an autocorrelation falls to 3/4 "
+        "before it falls to 1/e: are the columns swapped?)",
+        table.source, read.line));
   }
   if (!has_seeds) read_errors(table, row, read);
   return read;

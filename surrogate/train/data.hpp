@@ -41,13 +41,13 @@ struct TrainingData {
 /// Needs the columns case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, and for x and y
 /// {amax_N_per_m, amean_N_per_m, np1, np23, np4}; takes seed when there, and without it seeds (the number of cuts of a
 /// mean) and ..._standard_error when they are there; ignores all others. With the columns x_sd_N_per_m, y_sd_N_per_m,
-/// x_mean_N_per_m, y_mean_N_per_m, correlation_length_mm and xy_correlation there are sixteen outputs; a mean or a
-/// correlation below 0, which only noise can make, counts as 0. (A mean alone makes no output: older tables have it.)
-/// Throws `base::InputError` with file and line for: a case or seed that is no whole number, speed, depth or length of
-/// cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts, numbers beyond 1e12 or below
-/// 1e-12, a mean height of peaks above the highest, rows whose peaks were counted in different ways (columns
-/// peak_smoothing_um, peak_min_prominence, peak_min_distance_mm, sampling_um), a case and seed that come twice (without
-/// seeds: a case that comes twice), one case with two conditions, fewer than two cases.
+/// x_mean_N_per_m, y_mean_N_per_m, correlation_length_mm, short_correlation_length_mm and xy_correlation there are
+/// seventeen outputs; a mean or a correlation below 0, which only noise can make, counts as 0. (A mean alone makes no
+/// output: older tables have it.) Throws `base::InputError` with file and line for: a case or seed that is no whole
+/// number, speed, depth or length of cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts,
+/// numbers beyond 1e12 or below 1e-12, a mean height of peaks above the highest, rows whose peaks were counted in
+/// different ways (columns peak_smoothing_um, peak_min_prominence, peak_min_distance_mm, sampling_um), a case and seed
+/// that come twice (without seeds: a case that comes twice), one case with two conditions, fewer than two cases.
 TrainingData read_training_data(const std::filesystem::path& path);
 
 /// The same of several files, `joined`.
@@ -68,7 +68,7 @@ std::string in_words(const std::optional<PeakCounting>& counting);
 /// that mean (over the rows when there are several, the file's own otherwise).
 TrainingData averaged(const TrainingData& data);
 
-/// Ten or sixteen: all rows have the same number.
+/// Ten or seventeen: all rows have the same number.
 std::size_t output_count(const TrainingData& data);
 
 /// The conditions of a row in SI, as `predict` wants them.

@@ -78,7 +78,7 @@ struct Parity {
   bool has_held_out = false;          ///< verdicts rest on held-out cases
   int law_degrees = 0;                ///< cuts beyond the first of every case: what the law of scatter was found from
   int outside_training_range = 0;     ///< held-out cases where the networks extrapolate
-  std::vector<OutputParity> outputs;  ///< what both model and data have: ten or sixteen
+  std::vector<OutputParity> outputs;  ///< what both model and data have: ten or seventeen
 };
 
 /// How the cases of the data are told from those of the training.

@@ -52,7 +52,7 @@ TEST(Thread, FromRockToReport) {
 
   const std::string model = camp + "/model.json", data = camp + "/features.csv";
   ASSERT_EQ(run("train " + data + " -o " + model + " --epochs 200 --json " + (dir / "train.json").string()).status, 0);
-  EXPECT_EQ(program::json(dir / "train.json")["outputs"].size(), 16u);
+  EXPECT_EQ(program::json(dir / "train.json")["outputs"].size(), 17u);
   ASSERT_EQ(run("parity " + model + " " + data + " --json " + (dir / "parity.json").string()).status, 0);
   EXPECT_TRUE(program::json(dir / "parity.json")["outputs"]["x_amax_N_per_m"].contains("rmse"));
   ASSERT_EQ(run("predict " + model + " --speed-m-per-s 1.5 --depth-mm 2 --rake-deg 15 --cut-length-mm 250 --json " +

@@ -393,7 +393,7 @@ TEST_F(Fmu, RefusesStatesThatAreDamagedOrForeign) {
   const std::vector<char> good = instance.state();
   run(instance, 100, 10, 1e-2);
   const std::vector<char> now = instance.state();
-  constexpr std::size_t head = 280;  // [bytes]; then the state of the core, whose second word says how much it uses
+  constexpr std::size_t head = 264;  // [bytes]; then the state of the core, whose second word says how much it uses
   std::uint64_t used = 0;
   std::memcpy(&used, good.data() + head + 8, sizeof(used));
   ASSERT_LE(head + used, good.size());
@@ -426,7 +426,7 @@ TEST_F(Fmu, AStateIsLookedAtAlsoWhenItsChecksumFits) {
   ASSERT_EQ(instance.start(10.0, 3e-3, 5e4), importer::ok);
   run(instance, 0, 100, 1e-2);
   const std::vector<char> good = instance.state();
-  constexpr std::size_t checksum_at = 16, sealed_from = 24, signal_at = 32, moment_at = 152, head = 280;  // [bytes]
+  constexpr std::size_t checksum_at = 16, sealed_from = 24, signal_at = 32, moment_at = 136, head = 264;  // [bytes]
   const auto sealed = [&](std::vector<char> state) {
     const std::uint64_t sum = base::fingerprint({state.data() + sealed_from, head - sealed_from});
     std::memcpy(state.data() + checksum_at, &sum, sizeof(sum));

@@ -31,7 +31,6 @@ static bitrock_description describe(const bitrock_cutter* cutters, int64_t count
     description.model.inputs[i].high = high[i];
     description.model.inputs[i].scale = 1.0;
   }
-  description.signal.drop_length_m = 5e-5;
   description.model.output_count = 10;
   for (i = 0; i < 10; ++i) {
     description.model.outputs[i].scale = answers[i];

@@ -53,6 +53,7 @@ studies::FeatureRow a_row(int seed) {
           .sd_x = 3e4,
           .sd_y = 1.7e4,
           .correlation_length = 4e-4,
+          .short_correlation_length = 1.5e-4,
           .xy_correlation = 0.9,
           .chips = 15,
           .cracks_tensile = 900,

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 """The table of runtime/signal/rise_lengths.hpp: python3 tests/validation/rise_lengths.py
 
-A train of pulses that climb over rho w^n (1 - s + s w) and drop over delta = 0.4 l_s, w drawn from exp(-w) cut off at 6:
+A train of pulses that climb over delta / 10 + rho w^n (1 - s + s w) and drop over delta = 0.4 l_s, w drawn from exp(-w) cut off at 6:
 for each p = n + s the lags at which the autocorrelation has fallen to 3/4 (l_s) and 1/e (l), as l_s / l and rho / l.
 Some minutes.
 """
 import numpy as np
 
-CUT, DROP, SHORT = 6.0, 0.4, 0.75
+CUT, DROP, LEAST, SHORT = 6.0, 0.4, 0.1, 0.75
 
 
 def step5(s):
@@ -26,12 +26,12 @@ def lags(p, drop, nodes, samples):
     t = 0.5 * (x + 1.0)
     w = CUT * t * t  # nodes near 0, where short rises lie
     weight = np.exp(-w) / (1.0 - np.exp(-CUT)) * CUT * t * weight
-    longest = climb(CUT, p)
+    longest = LEAST * drop + climb(CUT, p)
     step = 1.02 * (longest + drop) / samples
     place = step * np.arange(samples) - longest
     power = 0.0
-    for rise, share in zip(climb(w, p), weight):
-        pulse = np.where(place <= 0.0, step5(place / max(rise, 1e-12) + 1.0), step5(1.0 - place / drop))
+    for rise, share in zip(LEAST * drop + climb(w, p), weight):
+        pulse = np.where(place <= 0.0, step5(place / rise + 1.0), step5(1.0 - place / drop))
         power = power + share * np.abs(np.fft.rfft(pulse, 2 * samples)) ** 2
     r = np.fft.irfft(power)[:samples]
     r /= r[0]

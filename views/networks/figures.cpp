@@ -125,7 +125,8 @@ report::Figure histogram_figure(const surrogate::Parity& parity, const Direction
 
 ShownOutput shown(const surrogate::OutputParity& output, std::size_t index) {
   constexpr const char* statistics[] = {"A_max", "A_mean", "NP1", "NP23", "NP4"};
-  constexpr const char* moments[] = {"Fx mean", "Fx sd", "Fy mean", "Fy sd", "correlation length", "correlation xy"};
+  constexpr std::array<const char*, surrogate::moment_count> moments{
+      "Fx mean", "Fx sd", "Fy mean", "Fy sd", "correlation length", "short correlation length", "correlation xy"};
   if (index >= ten) {
     const std::string moment = moments[index - ten];
     if (output.unit == "N/m") return {moment, "kN/m", 1e-3};

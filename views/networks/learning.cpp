@@ -1,3 +1,5 @@
+#include <array>
+
 #include "views/networks/chapter.hpp"
 
 namespace bitrock::views {
@@ -8,8 +10,10 @@ namespace {
 constexpr double lowest_drawn_error = 1e-8;
 
 report::Plot learning_plot(const surrogate::Model& model, const std::string& title, std::size_t from, std::size_t to) {
-  constexpr report::Colour colours[] = {report::Colour::blue,   report::Colour::vermillion, report::Colour::green,
-                                        report::Colour::purple, report::Colour::orange,     report::Colour::sky};
+  constexpr std::array colours{report::Colour::blue,   report::Colour::vermillion, report::Colour::green,
+                               report::Colour::purple, report::Colour::orange,     report::Colour::sky,
+                               report::Colour::black};
+  static_assert(colours.size() >= surrogate::moment_count);
   report::Plot plot{.title = title, .x_label = "epoch", .y_label = "mean squared error [scaled, 1]", .log_y = true};
   for (std::size_t k = from; k < to; ++k) {
     const surrogate::OutputModel& output = model.outputs[k];
@@ -38,7 +42,7 @@ void add_learning_curves(report::Page& page, const surrogate::Model& model) {
   if (surrogate::has_moments(model))
     page.plots_in_row(
         {learning_plot(model, "What rebuilds the force", surrogate::article_output_count, surrogate::most_outputs)},
-        "The same of the networks of mean, standard deviation, correlation length and correlation.");
+        "The same of the networks of mean, standard deviation, correlation lengths and correlation.");
 }
 
 }  // namespace bitrock::views
