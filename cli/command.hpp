@@ -96,6 +96,7 @@ void add_peaks(CLI::App& app);
 void add_train(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_parity(CLI::App& app);
+void add_rebuild(CLI::App& app);
 void add_signal(CLI::App& app);
 void add_drill(CLI::App& app);
 void add_report(CLI::App& app);

@@ -27,6 +27,7 @@ void declare_program(CLI::App& app) {
   add_train(app);
   add_predict(app);
   add_parity(app);
+  add_rebuild(app);
   add_signal(app);
   add_drill(app);
   add_report(app);

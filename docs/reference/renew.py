@@ -62,6 +62,7 @@ RUNS = [
     ("train --check", f"train {DATA} -o model.json --check"),
     ("predict", f"predict {MODEL} --speed-m-per-s 1 --depth-mm 2 --rake-deg 20 --cut-length-mm 50"),
     ("parity", f"parity {MODEL} {DATA}"),
+    ("rebuild", "rebuild study/forces.h5 --draws 2"),
     ("signal", f"signal {BIT} --model {MODEL} --rpm 120 --rop-m-per-h 15 --duration-s 0.1 --rate-hz 1000 -o signal.csv"),
     ("drill run", f"drill run short.toml --model {MODEL} -o drill.h5"),
     ("drill run --check", f"drill run short.toml --model {MODEL} --check"),

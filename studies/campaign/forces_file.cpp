@@ -139,6 +139,11 @@ void write_forces(const ForcesFile& forces, const std::filesystem::path& path) {
   file.save(path);
 }
 
+bool is_forces_file(const std::filesystem::path& path) {
+  const base::Hdf5Reader file(path);
+  return file.has_attribute("format") && file.text_attribute("format") == format_name;
+}
+
 ForcesFile read_forces(const std::filesystem::path& path) {
   const base::Hdf5Reader file(path);
   file.require_format(format_name, format_version);

@@ -32,6 +32,9 @@ CutForces forces_of(const Job& job, const dem2d::CutRun& run);
 /// Cuts in the order given. Throws `OutputError` when the file cannot be written.
 void write_forces(const ForcesFile& forces, const std::filesystem::path& path);
 
+/// Whether it says that it is one. Throws `base::InputError` when it is no HDF5 file.
+bool is_forces_file(const std::filesystem::path& path);
+
 /// Throws `base::InputError` for a file that is no forces file, was cut short or changed, holds a cut twice, a force
 /// that is not finite, or a value that no cut can have given.
 ForcesFile read_forces(const std::filesystem::path& path);

@@ -1,0 +1,165 @@
+#include "studies/rebuild/rebuild.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/parallel.hpp"
+#include "base/random.hpp"
+#include "runtime/bit/bit_force.hpp"
+#include "runtime/bit/core_description.hpp"
+#include "studies/rebuild/constant_model.hpp"
+
+namespace bitrock::studies {
+
+namespace {
+
+using runtime::SignalMode;
+
+constexpr double path_radius = 0.1;  // [m]; a window of 60 degrees is 105 mm of way
+constexpr std::array<double, 2> places_in_sample{0.25, 0.75};
+
+runtime::Bit one_cutter(SignalMode mode, double back_rake, std::uint64_t seed) {
+  runtime::Bit bit{.name = "one cutter", .diameter = 2.0 * path_radius, .signal = {}, .cutters = {}};
+  bit.signal.mode = mode;
+  bit.signal.window_angle = runtime::default_window_angle_deg * std::numbers::pi / 180.0;
+  bit.signal.seed = seed;
+  bit.cutters.push_back({.number = 1, .radius = path_radius, .width = 1.0, .back_rake = back_rake});
+  return bit;
+}
+
+std::size_t samples_of(const KnownCase& known) {
+  return known.cuts.front().x.size();
+}
+
+double spacing_of(const KnownCase& known) {
+  return known.conditions().cut_length / static_cast<double>(samples_of(known));
+}
+
+Portrait portrait_of(const KnownCase& known, const peaks::PeakDefinition& definition) {
+  std::vector<Portrait> portraits;
+  for (const CutForces& cut : known.cuts) {
+    const std::vector<double> x(cut.x.begin(), cut.x.end()), y(cut.y.begin(), cut.y.end());
+    portraits.push_back(portrait({.x = x, .y = y, .spacing = spacing_of(known)}, definition));
+  }
+  return mean_of(portraits);
+}
+
+Portrait portrait_of(const RebuiltForce& force, std::size_t samples, const peaks::PeakDefinition& definition) {
+  std::vector<Portrait> portraits;
+  for (std::size_t begin = 0; begin + samples <= force.x.size(); begin += samples) {
+    portraits.push_back(portrait({.x = std::span(force.x).subspan(begin, samples),
+                                  .y = std::span(force.y).subspan(begin, samples),
+                                  .spacing = force.spacing},
+                                 definition));
+  }
+  return mean_of(portraits);
+}
+
+bool has_a_force(const Portrait& dem) {
+  return dem.x.moments.mean > 0.0 && dem.y.moments.mean > 0.0 && dem.x.moments.sd > 0.0 && dem.y.moments.sd > 0.0;
+}
+
+bool can(const surrogate::Model& model, SignalMode mode) {
+  return runtime::mode_for(mode, model) == mode && (mode != SignalMode::sawtooth || surrogate::has_moments(model));
+}
+
+std::uint64_t seed_of(const RebuildOptions& options, std::size_t known) {
+  return base::mix(options.seed ^ base::mix(known));
+}
+
+}  // namespace
+
+surrogate::OutputValues own_statistics(const Portrait& dem, const KnownCase& known) {
+  const double way = known.conditions().cut_length * static_cast<double>(known.cuts.size());
+  surrogate::OutputValues values;
+  values.count = surrogate::most_outputs;
+  std::size_t at = 0;
+  for (const ComponentPortrait* one : {&dem.x, &dem.y}) {
+    for (const double value :
+         {one->peaks.amax, one->peaks.amean, one->peaks.np1 / way, one->peaks.np23 / way, one->peaks.np4 / way})
+      values[at++] = value;
+  }
+  const peaks::Moments &x = dem.x.moments, &y = dem.y.moments;
+  for (const double value :
+       {x.mean, x.sd, y.mean, y.sd, 0.5 * (x.correlation_length + y.correlation_length),
+        0.5 * (x.short_correlation_length + y.short_correlation_length), std::max(dem.xy_correlation, 0.0)})
+    values[at++] = value;
+  return values;
+}
+
+RebuiltForce rebuilt_force(const surrogate::Model& model, SignalMode mode, const KnownCase& known, int pieces,
+                           std::uint64_t seed, runtime::DrawTally& draws) {
+  const FeatureRow& cut = known.conditions();
+  runtime::BitForce bit(one_cutter(mode, cut.back_rake, seed), model);
+  const double rotation = cut.cutter_speed / path_radius;
+  const runtime::BitMotion motion{.angle = 0.0,
+                                  .rotation = rotation,
+                                  .rate_of_penetration = cut.depth_of_cut * rotation / (2.0 * std::numbers::pi)};
+  RebuiltForce made{.x = {}, .y = {}, .spacing = spacing_of(known)};
+  const std::size_t samples = samples_of(known) * static_cast<std::size_t>(pieces);
+  std::vector<double> angles;
+  angles.reserve(places_in_sample.size() * samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    for (const double place : places_in_sample)
+      angles.push_back((static_cast<double>(i) + place) * made.spacing / path_radius);
+  }
+  std::vector<double> force(angles.size()), torque(angles.size());
+  bit.along(angles, motion, force, torque);
+  for (std::size_t i = 0; i < angles.size(); i += 2) {
+    made.x.push_back(0.5 * (torque[i] + torque[i + 1]) / path_radius);
+    made.y.push_back(0.5 * (force[i] + force[i + 1]));
+  }
+  draws.add(bit.draws());
+  return made;
+}
+
+Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, const RebuildOptions& options,
+                   const base::ProgressCallback& progress) {
+  Rebuilding all{.known = {}, .dem = {}, .comparisons = {}, .left_out = {}};
+  for (KnownCase& one : known) {
+    Portrait dem = portrait_of(one, peaks::converging(one.mean_diameter));
+    if (has_a_force(dem)) {
+      all.dem.push_back(std::move(dem));
+      all.known.push_back(std::move(one));
+    } else {
+      all.left_out.push_back(fmt::format(
+          "case {} of {}: the force has no mean above 0 or no deviation in one direction", one.case_number, one.file));
+    }
+  }
+  std::vector<std::vector<Comparison>> of_case(all.known.size());
+  base::SharedProgress shared(all.known.size(), progress);
+  base::for_each_index(static_cast<int>(all.known.size()), options.jobs, [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    const KnownCase& one = all.known[i];
+    const peaks::PeakDefinition definition = peaks::converging(one.mean_diameter);
+    const surrogate::Model own = constant_model(own_statistics(all.dem[i], one));
+    const surrogate::CutConditions conditions{.cutter_speed = one.conditions().cutter_speed,
+                                              .depth_of_cut = one.conditions().depth_of_cut,
+                                              .back_rake = one.conditions().back_rake};
+    for (const surrogate::Model* from : {&own, model}) {
+      if (from == nullptr) continue;
+      for (const SignalMode mode : options.modes) {
+        if (!can(*from, mode)) continue;
+        Comparison comparison{
+            .known = i, .from_model = from == model, .mode = mode, .rebuilt = {}, .likeness = {}, .draws = {}};
+        const RebuiltForce force =
+            rebuilt_force(*from, mode, one, options.draws, seed_of(options, i), comparison.draws);
+        comparison.rebuilt = portrait_of(force, samples_of(one), definition);
+        comparison.likeness = compare(all.dem[i], comparison.rebuilt);
+        comparison.inside_training_range = predict(*from, conditions).inside_training_range;
+        of_case[i].push_back(std::move(comparison));
+      }
+    }
+    shared.set(i, 1.0);
+  });
+  for (std::vector<Comparison>& list : of_case) {
+    for (Comparison& one : list) all.comparisons.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace bitrock::studies
