@@ -37,9 +37,11 @@ void report_campaign(const Options& options) {
     throw base::InputError("--figures goes with files of drill runs (a campaign has `bitrock parity --figures`)");
   const views::CampaignFiles files = views::campaign_files(folder);
   require_plot_library();
-  require_outputs(options.common, {files.model, files.data, files.earlier_model, files.bit_force, files.bit_force_json},
+  require_outputs(options.common,
+                  {files.model, files.data, files.earlier_model, files.forces, files.bit_force, files.bit_force_json},
                   {options.output});
-  const report::Page page = views::campaign_page(folder);
+  Progress progress(options.common, "rebuilding forces", "cases");
+  const report::Page page = views::campaign_page(folder, cores(), progress.callback());
   base::write_whole(options.output, page.html());
   say(options.common, "-> {}\n", options.output);
   write_json(options.common, {{"files", {options.output}}});
@@ -110,7 +112,8 @@ void add_report(CLI::App& app) {
       ->add_option(
           "input", options->inputs,
           "The folder of a campaign, which may also hold model.json, earlier_model.json (networks that have not seen "
-          "its cuts), bit_force.csv, bit_force.json and drill/*.h5; or one or more files of `bitrock drill run`.")
+          "its cuts), forces.h5, bit_force.csv, bit_force.json and drill/*.h5; or one or more files of `bitrock drill "
+          "run`.")
       ->required();
   command->add_option("-o,--output", options->output, "The page goes to this file (.html).")
       ->default_val("report.html");

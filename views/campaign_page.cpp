@@ -12,6 +12,7 @@
 #include "views/cut/chapter.hpp"
 #include "views/drill/chapter.hpp"
 #include "views/networks/chapter.hpp"
+#include "views/rebuild/chapter.hpp"
 
 namespace bitrock::views {
 
@@ -73,6 +74,23 @@ void add_networks(report::Page& page, const CampaignFiles& files) {
   add_parity(page, model, surrogate::parity(model, *data));
 }
 
+/// Enough for a page; `bitrock rebuild` takes more.
+constexpr int draws_for_a_page = 32;
+
+void add_rebuilt_forces(report::Page& page, const CampaignFiles& files, int jobs,
+                        const base::ProgressCallback& progress) {
+  if (!base::is_there(files.forces)) return;
+  std::optional<surrogate::Model> model;
+  if (base::is_there(files.model)) model = surrogate::read_model(files.model);
+  const surrogate::Model* const networks = model && surrogate::has_moments(*model) ? &*model : nullptr;
+  const studies::RebuildOptions options{.draws = draws_for_a_page, .jobs = jobs};
+  const studies::Rebuilding found =
+      studies::rebuild(studies::read_known_cuts(files.forces), networks, options, progress);
+  page.section("The force that a drill string gets");
+  for (const std::string& left_out : found.left_out) page.note("Left out: " + left_out);
+  if (!found.known.empty()) add_rebuild(page, found, networks, options);
+}
+
 void add_drill_runs(report::Page& page, const std::vector<std::filesystem::path>& files) {
   std::vector<std::string> names;
   std::vector<runtime::DrillFile> runs;
@@ -92,33 +110,38 @@ CampaignFiles campaign_files(const std::filesystem::path& folder) {
   return {.runs = folder / "runs",
           .model = folder / "model.json",
           .data = folder / "features.csv",
+          .forces = folder / "forces.h5",
           .earlier_model = folder / "earlier_model.json",
           .bit_force = folder / "bit_force.csv",
           .bit_force_json = folder / "bit_force.json",
           .drill = folder / "drill"};
 }
 
-report::Page campaign_page(const std::filesystem::path& folder) {
+report::Page campaign_page(const std::filesystem::path& folder, int jobs, const base::ProgressCallback& progress) {
   const CampaignFiles files = campaign_files(folder);
   const std::vector<dem2d::RunFile> runs = read_runs(files.runs);
   const std::vector<std::filesystem::path> drill_runs = results_in(files.drill);
   if (runs.empty() && drill_runs.empty() && !base::is_there(files.model) && !base::is_there(files.earlier_model) &&
-      !base::is_there(files.bit_force)) {
+      !base::is_there(files.bit_force) && !base::is_there(files.forces)) {
     throw base::InputError(
-        fmt::format("{} holds nothing to report (looked for runs/*.h5, model.json, earlier_model.json, bit_force.csv "
-                    "and drill/*.h5)",
+        fmt::format("{} holds nothing to report (looked for runs/*.h5, model.json, earlier_model.json, forces.h5, "
+                    "bit_force.csv and drill/*.h5)",
                     folder.string()));
   }
   report::Page page("From lab rock to bit force", runs.empty() ? std::string() : runs.front().cut.rock.name);
   if (!runs.empty()) add_cut_chapters(page, runs);
   add_networks(page, files);
+  add_rebuilt_forces(page, files, jobs, progress);
   if (base::is_there(files.bit_force)) {
     page.section(
         "The whole bit",
-        "Every cutter rebuilds its own force history from the peak statistics, with its own random numbers; the bit is "
+        "Every cutter rebuilds its own force history from what the networks say, with its own random numbers; the bit "
+        "is "
         "their sum. Positive force pushes the bit off the rock, positive torque resists its rotation. These are sharp "
-        "cutters in the simulated rock, without friction under worn ones: not the load of a field bit. The rebuilt "
-        "mean is half of A_mean times the pulse width factor, which is not the mean force of the simulated cuts.");
+        "cutters in the simulated rock, without friction under worn ones: not the load of a field bit. Where the "
+        "networks do not know the mean force (mode article-literal), the rebuilt mean is half of A_mean times the "
+        "pulse "
+        "width factor, which is not the mean force of the simulated cuts.");
     add_bit_force(page, files.bit_force, files.bit_force_json);
   }
   add_drill_runs(page, drill_runs);
