@@ -22,7 +22,8 @@ namespace {
 
 struct Options {
   CommonOptions common;
-  std::string case_file, model_file, output, mode;
+  CaseFlags drill;
+  std::string output;
   int seed = -1;
 };
 
@@ -43,9 +44,9 @@ std::optional<runtime::Steadiness> steadiness_of(const runtime::DrillString& str
 }
 
 void show_modes(const Options& options) {
-  const runtime::DrillCase drill = runtime::read_drill_case(options.case_file);
+  const runtime::DrillCase drill = runtime::read_drill_case(options.drill.file);
   const runtime::DrillString string = runtime::assemble(drill);
-  require_outputs(options.common, {options.case_file, drill.bit_file}, {});
+  require_outputs(options.common, {options.drill.file, drill.bit_file}, {});
   const auto [on_bottom, off_bottom, torsional] = runtime::drill_modes(string);
   const std::optional<runtime::ClosedForms> forms = runtime::closed_forms(drill);
   const std::optional<runtime::Steadiness> steady = steadiness_of(string);
@@ -89,16 +90,15 @@ void print_plan(const Options& options, const runtime::DrillCase& drill, const r
 }
 
 void run(const Options& options) {
-  runtime::DrillCase drill = runtime::read_drill_case(options.case_file);
+  runtime::DrillCase drill = read_case(options.drill);
   if (options.seed >= 0) drill.source.seed = options.seed;
-  take_mode(options.mode, drill.bit);
   const runtime::DrillString string = runtime::assemble(drill);
   for (const std::string& warning : runtime::warnings(drill, string)) warn(options.common, warning);
-  const std::optional<surrogate::Model> model = model_of(options.common, options.model_file, drill);
+  const std::optional<surrogate::Model> model = model_of(options.common, options.drill, drill);
   const runtime::DrillSource source = runtime::make_source(drill, model);
   const runtime::DrillSource tried = runtime::make_source(drill, model);
   for (const std::string& warning : runtime::warnings_of_load(string, tried.load)) warn(options.common, warning);
-  const std::vector<std::filesystem::path> inputs{options.case_file, drill.bit_file, drill.source.model_file};
+  const std::vector<std::filesystem::path> inputs = inputs_of(options.drill, drill);
   if (options.common.check) {
     require_outputs(options.common, inputs, {});
     runtime::require_stable(drill, string);
@@ -132,9 +132,7 @@ void add_drill(CLI::App& app) {
 
   auto options = std::make_shared<Options>();
   CLI::App* command = drill->add_subcommand("run", "Computes the vibrations of the string and the bit over time.");
-  command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
-  add_model_of_case(*command, options->model_file);
-  add_mode(*command, options->mode);
+  add_case(*command, options->drill, "normal.toml");
   command
       ->add_option("--seed", options->seed,
                    "The seed draws the peaks of the bit force, or the noise: another seed gives another force of the "
@@ -148,7 +146,7 @@ void add_drill(CLI::App& app) {
 
   auto shown = std::make_shared<Options>();
   CLI::App* modes = drill->add_subcommand("modes", "Prints the natural frequencies of the string.");
-  modes->add_option("case", shown->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
+  modes->add_option("case", shown->drill.file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
   add_common(*modes, shown->common);
   modes->callback([shown] { show_modes(*shown); });
   add_drill_compare(*drill);

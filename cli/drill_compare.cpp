@@ -19,7 +19,8 @@ using studies::ComparedRun, studies::ComparedRuns, studies::Comparison, studies:
 
 struct Options {
   CommonOptions common;
-  std::string case_file, model_file, seeds, folder;
+  CaseFlags drill;
+  std::string seeds, folder;
   int jobs = 1;
 };
 
@@ -31,7 +32,7 @@ std::vector<std::filesystem::path> outputs_of(const Comparison& comparison) {
 }
 
 Comparison read_comparison(const Options& options) {
-  Comparison comparison{.drill = runtime::read_drill_case(options.case_file),
+  Comparison comparison{.drill = read_case(options.drill),
                         .string = {},
                         .model = {},
                         .model_fingerprint = {},
@@ -39,9 +40,9 @@ Comparison read_comparison(const Options& options) {
                         .folder = options.folder};
   if (comparison.drill.source.kind != runtime::SourceKind::bit) {
     throw base::InputError(fmt::format(
-        "{}: the source of the case must be 'bit': the simple ones are measured against it", options.case_file));
+        "{}: the source of the case must be 'bit': the simple ones are measured against it", options.drill.file));
   }
-  comparison.model = model_of(options.common, options.model_file, comparison.drill);
+  comparison.model = model_of(options.common, options.drill, comparison.drill);
   comparison.string = runtime::assemble(comparison.drill);
   for (const std::string& warning : runtime::warnings(comparison.drill, comparison.string))
     warn(options.common, warning);
@@ -82,8 +83,7 @@ void warn_of_other_runs(const Options& options, const Comparison& comparison) {
 
 void compare(const Options& options) {
   const Comparison comparison = read_comparison(options);
-  const std::vector<std::filesystem::path> inputs{options.case_file, comparison.drill.bit_file,
-                                                  comparison.drill.source.model_file};
+  const std::vector<std::filesystem::path> inputs = inputs_of(options.drill, comparison.drill);
   if (options.common.check) {
     require_outputs(options.common, inputs, {});
     say(options.common, "{}: {} runs, {:g} s each, {:.0f} steps each; a simple source may need up to five trials\n",
@@ -116,8 +116,7 @@ void add_drill_compare(CLI::App& drill) {
   CLI::App* command = drill.add_subcommand("compare",
                                            "Runs the case with the force of the networks, with a sine and with white "
                                            "noise of equal mean and RMS, for several seeds.");
-  command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
-  add_model_of_case(*command, options->model_file);
+  add_case(*command, options->drill, "normal.toml");
   command->add_option("--seeds", options->seeds, "Each seed draws another force of the same kind, e.g. 1,2,5:10.")
       ->default_val("1:10");
   add_jobs(*command, options->jobs, "runs");

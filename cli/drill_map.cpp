@@ -22,7 +22,8 @@ constexpr int most_runs = 100000;  // a day or so of two cores
 
 struct Options {
   CommonOptions common;
-  std::string case_file, model_file, output, picture, hook_loads, rotations, seeds;
+  CaseFlags drill;
+  std::string output, picture, hook_loads, rotations, seeds;
   int jobs = 1;
 };
 
@@ -45,7 +46,7 @@ void write_picture(const Options& options, const studies::DrillMap& map, const s
 }
 
 studies::DrillMap read_map(const Options& options) {
-  studies::DrillMap map{.drill = runtime::read_drill_case(options.case_file),
+  studies::DrillMap map{.drill = read_case(options.drill),
                         .model = {},
                         .hook_loads_kN = base::value_range("--hook-load-kN", options.hook_loads, 0.0, 1e5),
                         .rotations_rpm = base::value_range("--rotation-rpm", options.rotations, 0.1, 500.0),
@@ -62,9 +63,9 @@ studies::DrillMap read_map(const Options& options) {
     if (map.hook_loads_kN.size() < 2 || map.rotations_rpm.size() < 2)
       throw base::InputError("--picture needs at least two hook loads and two speeds");
   }
-  map.model = model_of(options.common, options.model_file, map.drill);
+  map.model = model_of(options.common, options.drill, map.drill);
   for (const std::string& warning : runtime::warnings(map.drill.bit)) warn(options.common, warning);
-  studies::require_mappable(map, options.case_file);
+  studies::require_mappable(map, options.drill.file);
   return map;
 }
 
@@ -94,7 +95,7 @@ void run(const Options& options) {
   const studies::DrillMap map = read_map(options);
   std::vector<std::filesystem::path> outputs{options.output};
   if (!options.picture.empty()) outputs.insert(outputs.end(), {options.picture, script_of(options)});
-  const std::vector<std::filesystem::path> inputs{options.case_file, map.drill.bit_file, map.drill.source.model_file};
+  const std::vector<std::filesystem::path> inputs = inputs_of(options.drill, map.drill);
   if (options.common.check) {
     require_outputs(options.common, inputs, {});
     say(options.common, "{}: {} hook loads, {} speeds, {} seeds: {} runs of {:g} s and {:.0f} steps\n", map.drill.name,
@@ -127,9 +128,7 @@ void add_drill_map(CLI::App& drill) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       drill.add_subcommand("map", "Maps stick-slip and bit bounce over the hook load and the speed of the top drive.");
-  command->add_option("case", options->case_file, "The drilling case, e.g. campaigns/drill/stick_slip.toml.")
-      ->required();
-  add_model_of_case(*command, options->model_file);
+  add_case(*command, options->drill, "stick_slip.toml");
   command
       ->add_option("--hook-load-kN", options->hook_loads,
                    "The map covers these hook loads, lowest:highest:count, not the one of the case.")

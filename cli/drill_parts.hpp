@@ -9,17 +9,28 @@
 
 namespace bitrock::cli {
 
+/// The case, and what stands in place of its model and mode.
+struct CaseFlags {
+  std::string file, model_file, mode;
+};
+
+/// "case", `--model` and `--mode`. `example` is a file of campaigns/drill.
+void add_case(CLI::App& command, CaseFlags& flags, const std::string& example);
+
+/// The case with the mode of the flags.
+runtime::DrillCase read_case(const CaseFlags& flags);
+
 /// The model of the flag or else of the case; nothing where the source of the case needs none. Warns of a model of
 /// another rock. The case then names the file that was read.
-std::optional<surrogate::Model> model_of(const CommonOptions& common, const std::string& flag,
+std::optional<surrogate::Model> model_of(const CommonOptions& common, const CaseFlags& flags,
                                          runtime::DrillCase& drill);
+
+/// Files that the results must not overwrite.
+std::vector<std::filesystem::path> inputs_of(const CaseFlags& flags, const runtime::DrillCase& drill);
 
 /// What the networks are asked outside their range at the mean speed and ROP of a run; empty where that is inside.
 std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
                               const runtime::DrillSummary& summary);
-
-/// `--model`, in place of that of the case.
-void add_model_of_case(CLI::App& command, std::string& file);
 
 /// `drill compare` and `drill map`.
 void add_drill_compare(CLI::App& drill);

@@ -31,6 +31,7 @@ std::string beyond_range_in_words(const Variable& input, double low, double high
   if (share == 0.0) return "";
   const auto [below, above] = beyond(input, low, high);
   const std::string asked = low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
+  if (!(input.high > input.low)) return fmt::format("{} {} (trained at {:.4g} alone)", input.name, asked, input.low);
   return fmt::format("{} {} (trained {:.4g} to {:.4g}: {:.3g} % of that range {} it)", input.name, asked, input.low,
                      input.high, 100.0 * share, below > above ? "below" : "above");
 }
