@@ -3,18 +3,39 @@
 #include <algorithm>
 #include <cmath>
 
+#include "peaks/parts.hpp"
 #include "peaks/rainflow.hpp"
+#include "peaks/zero_force.hpp"
 
 namespace bitrock::studies {
 
 namespace {
 
+/// 1 where peaks come at random; 0 where each quarter has as many.
+double dispersion_over_quarters(const peaks::PeakSearch& search) {
+  constexpr int quarters = 4;
+  const std::vector<std::size_t> borders = peaks::part_borders(search.signal.size(), quarters);
+  std::vector<double> counts;
+  double mean = 0.0, square = 0.0;
+  for (const peaks::Part& part : peaks::statistics_by_part(search.signal, borders, search.selection)) {
+    counts.push_back(static_cast<double>(part.peaks.count()));
+    mean += counts.back() / quarters;
+  }
+  for (const double count : counts) square += (count - mean) * (count - mean) / (quarters - 1);
+  return mean > 0.0 ? square / mean : 0.0;
+}
+
 ComponentPortrait portrait_of(std::span<const double> force, double spacing, const peaks::PeakDefinition& definition) {
+  const peaks::PeakSearch search = peaks::prepared(force, spacing, definition);
+  const peaks::ZeroForce zero = peaks::zero_force(force, peaks::minimum_height(force));
   ComponentPortrait found{.moments = peaks::moments(force, spacing),
                           .damage_range = peaks::damage_equivalent_range(
                               force, spacing * static_cast<double>(force.size()), damage_exponent),
                           .octaves = octave_levels(force, spacing),
-                          .peaks = peaks::peak_statistics(force, spacing, definition)};
+                          .peaks = peaks::peak_statistics(search.signal, search.selection),
+                          .zero_share = zero.quiet_share(),
+                          .zero_period = spacing * zero.mean_period(),
+                          .quarter_dispersion = dispersion_over_quarters(search)};
   for (std::size_t k = 0; k < exceedance_levels.size(); ++k) {
     const double level = exceedance_levels[k] * found.moments.mean;
     const auto above = std::count_if(force.begin(), force.end(), [level](double value) { return value > level; });
@@ -34,6 +55,9 @@ ComponentPortrait mean_component(std::span<const Portrait> portraits, ComponentP
     mean.moments.correlation_length += one.moments.correlation_length / count;
     mean.moments.short_correlation_length += one.moments.short_correlation_length / count;
     mean.moments.low_share += one.moments.low_share / count;
+    mean.zero_share += one.zero_share / count;
+    mean.zero_period += one.zero_period / count;
+    mean.quarter_dispersion += one.quarter_dispersion / count;
     damage += std::pow(one.damage_range, damage_exponent) / count;
     for (std::size_t k = 0; k < octave_count; ++k) mean.octaves[k] += one.octaves[k] / count;
     for (std::size_t k = 0; k < exceedance_levels.size(); ++k) mean.exceedance[k] += one.exceedance[k] / count;

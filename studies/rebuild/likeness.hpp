@@ -25,6 +25,9 @@ struct ComponentPortrait {
   std::array<double, octave_count> octaves{};                 ///< [N2/m2]
   std::array<double, exceedance_levels.size()> exceedance{};  ///< [1]
   peaks::PeakStatistics peaks;
+  double zero_share = 0.0;          ///< of the way without force: at most 1 % of the highest (peaks/zero_force.hpp) [1]
+  double zero_period = 0.0;         ///< mean length of such a stretch [m]
+  double quarter_dispersion = 0.0;  ///< of the numbers of peaks in the quarters of a cut: variance over mean [1]
 };
 
 struct Portrait {

@@ -84,6 +84,8 @@ TEST(AskedRange, SaysWhatTheCuttersAskOutsideAndByHowMuch) {
   EXPECT_EQ(runtime::asked_outside(bit, model, turning, 0.3e-3),
             "depth_of_cut_mm 0.15 (trained 0.5 to 4: 10 % of that range below it); "
             "back_rake_deg 20 to 40 (trained 10 to 30: 50 % of that range above it)");
+  model.inputs[2].low = model.inputs[2].high = 25.0;
+  EXPECT_EQ(runtime::rakes_outside(bit, model), "back_rake_deg 20 to 40 (trained at 25 alone)");
 }
 
 TEST(BitFile, CuttersThatDoNotCoverTheFaceOnceAreWarnedOf) {

@@ -23,6 +23,12 @@ nlohmann::json component_json(const studies::ComponentPortrait& dem, const studi
           {"exceedance_dem", dem.exceedance},
           {"exceedance", rebuilt.exceedance},
           {"damage_range_ratio", likeness.damage_range_ratio},
+          {"zero_force_share_dem", dem.zero_share},
+          {"zero_force_share", rebuilt.zero_share},
+          {"zero_force_period_dem_m", dem.zero_period},
+          {"zero_force_period_m", rebuilt.zero_period},
+          {"quarter_dispersion_dem", dem.quarter_dispersion},
+          {"quarter_dispersion", rebuilt.quarter_dispersion},
           {"peaks_dem", as_json(dem.peaks)},
           {"peaks", as_json(rebuilt.peaks)}};
 }

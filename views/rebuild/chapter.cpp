@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "studies/rebuild/constant_model.hpp"
 #include "views/rebuild/figures.hpp"
@@ -48,6 +49,41 @@ report::Table measures_table(const studies::Rebuilding& rebuilding, bool from_mo
   return table;
 }
 
+/// Pauses and quarters, which the article leaves for the future [BitRock2026, sec. 5]: means over the cases of a depth.
+report::Table pauses_table(const studies::Rebuilding& all, bool from_model, runtime::SignalMode mode) {
+  report::Table table{
+      .caption =
+          "Stretches without force (at most 1 % of the highest) of the cutting force, and how unevenly its peaks "
+          "lie over the quarters of a cut: variance over mean of their numbers, 1 where they come at random. DEM, "
+          "and rebuilt from the " +
+          way_in_words(from_model, mode) + "; means over the cases of a depth.",
+      .header = {"depth of cut [mm]", "cases", "without force, DEM [%]", "rebuilt [%]", "mean stretch, DEM [mm]",
+                 "rebuilt [mm]", "quarters, DEM", "rebuilt"},
+      .rows = {}};
+  std::map<double, std::vector<const studies::Comparison*>> by_depth;
+  for (const studies::Comparison& one : all.comparisons) {
+    if (one.from_model == from_model && one.mode == mode)
+      by_depth[all.known[one.known].conditions().depth_of_cut].push_back(&one);
+  }
+  for (const auto& [depth, list] : by_depth) {
+    studies::ComponentPortrait dem, rebuilt;
+    const auto count = static_cast<double>(list.size());
+    for (const studies::Comparison* one : list) {
+      for (const auto& [sum, from] : {std::pair{&dem, &all.dem[one->known].x}, {&rebuilt, &one->rebuilt.x}}) {
+        sum->zero_share += from->zero_share / count;
+        sum->zero_period += from->zero_period / count;
+        sum->quarter_dispersion += from->quarter_dispersion / count;
+      }
+    }
+    table.rows.push_back(
+        {fmt::format("{:.6g}", 1e3 * depth), fmt::format("{}", list.size()),
+         fmt::format("{:.0f}", 100.0 * dem.zero_share), fmt::format("{:.0f}", 100.0 * rebuilt.zero_share),
+         fmt::format("{:.2f}", 1e3 * dem.zero_period), fmt::format("{:.2f}", 1e3 * rebuilt.zero_period),
+         fmt::format("{:.2f}", dem.quarter_dispersion), fmt::format("{:.2f}", rebuilt.quarter_dispersion)});
+  }
+  return table;
+}
+
 void add_case(report::Page& page, const studies::Rebuilding& all, const studies::Comparison& one,
               const surrogate::Model* model, const studies::RebuildOptions& options) {
   const studies::KnownCase& known = all.known[one.known];
@@ -82,6 +118,7 @@ void add_rebuild(report::Page& page, const studies::Rebuilding& rebuilding, cons
       page.table(table);
       page.plots_in_row(parity_plots(rebuilding, from_model, mode),
                         "Rebuilt against DEM, a mark a case; from the " + way_in_words(from_model, mode) + ".");
+      page.table(pauses_table(rebuilding, from_model, mode));
     }
   }
   for (const std::size_t i : shown_cases(rebuilding)) {
