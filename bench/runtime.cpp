@@ -164,6 +164,7 @@ bool measure(const std::string& whose, const surrogate::Model& model, const runt
   const int few_samples = static_cast<int>(seconds_with_state * 1e4);
   const Measured usual = drive(description.plain, samples(1e4), rotation / 1e4);
   row("10 kHz", usual, samples(1e4), seconds);
+  row("10 kHz, at 60 rpm", drive(description.plain, samples(1e4), 0.5 * rotation / 1e4), samples(1e4), seconds);
   row("1 kHz", drive(description.plain, samples(1e3), rotation / 1e3), samples(1e3), seconds);
   int steps = 0;
   const auto averaged = [&steps](Made& core) {

@@ -21,20 +21,36 @@ bool is_over(const PulseBlock& block, std::size_t lane, double angle) {
   return !(block.fall[lane] * angle + block.fall_from[lane] > 0.0);
 }
 
+/// One bit for each of the four that are over.
+BITROCK_INTO_BOTH std::uint64_t over_lanes(const PulseBlock& block, double angle) {
+  constexpr FourNumbers zero{};
+  constexpr FourWords bits{1, 2, 4, 8};
+  const FourWords over = (FourWords)(block.fall * angle + block.fall_from <= zero) & bits;
+  return static_cast<std::uint64_t>((over[0] | over[1]) | (over[2] | over[3]));
+}
+
 constexpr std::size_t blocks_a_word = 16;
 
 /// One bit for each pulse that was over at the last look, of the blocks from `first` on: at most `blocks_a_word`.
-std::uint64_t over_lanes(const FeltPulses& felt, const PulseBlock* blocks, std::size_t first) {
+BITROCK_INTO_BOTH std::uint64_t over_word(const FeltPulses& felt, const PulseBlock* blocks, std::size_t first) {
   std::uint64_t lanes = 0;
   const std::size_t end = std::min(felt.count, first + blocks_a_word);
-  for (std::size_t i = first; i < end; ++i) {
-    std::uint64_t four = 0;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      four |= static_cast<std::uint64_t>(is_over(blocks[i], lane, felt.last)) << lane;
-    }
-    lanes |= four << (4 * (i - first));
-  }
+  for (std::size_t i = first; i < end; ++i) lanes |= over_lanes(blocks[i], felt.last) << (4 * (i - first));
   return lanes;
+}
+
+#ifdef BITROCK_WIDE
+BITROCK_WIDE std::uint64_t over_by_wide_vectors(const FeltPulses& felt, const PulseBlock* blocks, std::size_t first) {
+  return over_word(felt, blocks, first);
+}
+#endif
+
+std::uint64_t over_word(const FeltPulses& felt, const PulseBlock* blocks, std::size_t first,
+                        [[maybe_unused]] bool wide) {
+#ifdef BITROCK_WIDE
+  if (wide) return over_by_wide_vectors(felt, blocks, first);
+#endif
+  return over_word(felt, blocks, first);
 }
 
 /// The pulses of a bit, while some are added: in the places of those that were over at the last look, from the first
@@ -44,6 +60,7 @@ struct Gathering {
   PulseBlock* blocks;
   std::size_t most;
   double window_angle;
+  bool wide;
   std::size_t first = 0;   ///< block
   std::uint64_t over = 0;  ///< places that are free, four bits for each block from `first` on
 };
@@ -53,7 +70,7 @@ bool find_place(Gathering& all) {
   while (all.over == 0) {
     if (all.first + blocks_a_word < all.felt.count) {
       all.first += blocks_a_word;
-      all.over = over_lanes(all.felt, all.blocks, all.first);
+      all.over = over_word(all.felt, all.blocks, all.first, all.wide);
       continue;
     }
     if (all.felt.count == all.most) return false;
@@ -64,35 +81,47 @@ bool find_place(Gathering& all) {
   return true;
 }
 
-/// Takes a pulse over that began so many windows before `felt.window`: none or one.
-void add(Gathering& all, const PulseBlock& from, std::size_t lane, double windows_before) {
+/// Takes a pulse over.
+void add(Gathering& all, const PulseBlock& from, std::size_t lane) {
   if (all.over == 0 && !find_place(all)) return;
   const auto place = static_cast<std::size_t>(__builtin_ctzll(all.over));
   all.over &= all.over - 1;
   PulseBlock& to = all.blocks[all.first + place / 4];
   const std::size_t at = place % 4;
-  const double shift = windows_before * all.window_angle;
   to.climb[at] = from.climb[lane];
-  to.climb_from[at] = from.climb_from[lane] + from.climb[lane] * shift;
+  to.climb_from[at] = from.climb_from[lane];
   to.fall[at] = from.fall[lane];
-  to.fall_from[at] = from.fall_from[lane] + from.fall[lane] * shift;
+  to.fall_from[at] = from.fall_from[lane];
   to.torque[at] = from.torque[lane];
   to.force[at] = from.force[lane];
+}
+
+/// Angles of these pulses count from the beginning of the next window.
+BITROCK_INTO_BOTH void move_to_next_window(PulseBlock& block, double window_angle) {
+  block.climb_from += block.climb * window_angle;
+  block.fall_from += block.fall * window_angle;
 }
 
 bool at_pulse(const SawtoothCutter& cutter) {
   return cutter.lane < 4 && cutter.four[cutter.now].begin[cutter.lane] < cutter.draw.end;
 }
 
+/// The next pulse is the first of the other four; those that come then are drawn now, so that nothing waits for them.
+void take_next_four(SawtoothCutter& cutter, const SawtoothLaw& law) {
+  draw_four(law, cutter.weights, cutter.wide, cutter.draw, cutter.four[cutter.now]);
+  cutter.now = 1 - cutter.now;
+  cutter.lane = 0;
+  cutter.undrawn -= 4;
+}
+
+/// Goes on to the next pulse.
+void step(SawtoothCutter& cutter, const SawtoothLaw& law) {
+  ++cutter.lane;
+  if (cutter.lane == 4 && cutter.undrawn > 0) take_next_four(cutter, law);
+}
+
 /// Where the next pulse is, or the end of the cell; the last cell of a window does not end.
 void look(SawtoothCutter& cutter, const SawtoothLaw& law) {
-  if (cutter.lane == 4 && cutter.undrawn > 0) {
-    // those that come then are drawn now, so that nothing waits for them
-    draw_four(law, cutter.weights, cutter.wide, cutter.draw, cutter.four[cutter.now]);
-    cutter.now = 1 - cutter.now;
-    cutter.lane = 0;
-    cutter.undrawn -= 4;
-  }
   const bool last_cell = cutter.draw.cell + 1 == law.cells;
   cutter.next = at_pulse(cutter) ? cutter.four[cutter.now].begin[cutter.lane] : last_cell ? infinity : cutter.draw.end;
 }
@@ -102,7 +131,10 @@ void start_cell(SawtoothCutter& cutter, std::int64_t window, std::int64_t cell) 
   cutter.draw = cell_draw(law, window_word(cutter.seed, cutter.number, window), cell);
   cutter.lane = 4;
   cutter.undrawn = law.density > 0.0 ? most_in_cell : 0;
-  if (cutter.undrawn > 0) draw_four(law, cutter.weights, cutter.wide, cutter.draw, cutter.four[1 - cutter.now]);
+  if (cutter.undrawn > 0) {
+    draw_four(law, cutter.weights, cutter.wide, cutter.draw, cutter.four[1 - cutter.now]);
+    take_next_four(cutter, law);
+  }
   look(cutter, law);
 }
 
@@ -110,27 +142,22 @@ void start_cell(SawtoothCutter& cutter, std::int64_t window, std::int64_t cell) 
 void go_on(Gathering& all, SawtoothCutter& cutter, std::int64_t window, double angle) {
   const SawtoothLaw& law = cutter.laws[place_of(window)];
   while (cutter.next <= angle) {
-    if (at_pulse(cutter)) {
-      add(all, cutter.four[cutter.now].pulses, cutter.lane, 0.0);
-      ++cutter.lane;
-      look(cutter, law);
-    } else {
-      start_cell(cutter, window, cutter.draw.cell + 1);
-    }
+    for (; at_pulse(cutter) && cutter.four[cutter.now].begin[cutter.lane] <= angle; step(cutter, law))
+      add(all, cutter.four[cutter.now].pulses, cutter.lane);
+    look(cutter, law);
+    if (cutter.next <= angle) start_cell(cutter, window, cutter.draw.cell + 1);
   }
 }
 
-/// Adds the pulses of one whole cell that are felt at `angle` of the window `felt.window`.
+/// Adds the pulses of one whole cell that are felt at `angle`, both from the beginning of `window`.
 void add_felt(Gathering& all, SawtoothCutter& cutter, std::int64_t window, std::int64_t cell, double angle) {
   const SawtoothLaw& law = cutter.laws[place_of(window)];
-  const double before = window == all.felt.window ? 0.0 : 1.0;
-  for (start_cell(cutter, window, cell); at_pulse(cutter) && cutter.next <= angle + before * all.window_angle;
-       look(cutter, law)) {
-    if (!is_over(cutter.four[cutter.now].pulses, cutter.lane, angle + before * all.window_angle)) {
-      add(all, cutter.four[cutter.now].pulses, cutter.lane, before);
-    }
-    ++cutter.lane;
+  start_cell(cutter, window, cell);
+  for (; at_pulse(cutter) && cutter.four[cutter.now].begin[cutter.lane] <= angle; step(cutter, law)) {
+    if (!is_over(cutter.four[cutter.now].pulses, cutter.lane, angle))
+      add(all, cutter.four[cutter.now].pulses, cutter.lane);
   }
+  look(cutter, law);
 }
 
 /// So far ahead that `added_together` pulses of the bit begin, in the mean.
@@ -147,7 +174,10 @@ void begin_anew(Gathering& all, std::span<SawtoothCutter> cutters, std::int64_t 
   all.over = 0;
   for (SawtoothCutter& cutter : cutters) {
     const SawtoothLaw& before = cutter.laws[place_of(window - 1)];
-    add_felt(all, cutter, window - 1, before.cells - 1, angle);
+    add_felt(all, cutter, window - 1, before.cells - 1, angle + all.window_angle);
+  }
+  for (std::size_t i = 0; i < all.felt.count; ++i) move_to_next_window(all.blocks[i], all.window_angle);
+  for (SawtoothCutter& cutter : cutters) {
     const std::int64_t cell = cell_at(cutter.laws[place_of(window)], angle);
     if (cell > 0) add_felt(all, cutter, window, cell - 1, angle);
     add_felt(all, cutter, window, cell, angle);
@@ -158,10 +188,7 @@ void begin_anew(Gathering& all, std::span<SawtoothCutter> cutters, std::int64_t 
 void next_window(Gathering& all, std::span<SawtoothCutter> cutters) {
   FeltPulses& felt = all.felt;
   for (SawtoothCutter& cutter : cutters) go_on(all, cutter, felt.window, std::numeric_limits<double>::max());
-  for (std::size_t i = 0; i < felt.count; ++i) {
-    all.blocks[i].climb_from += all.blocks[i].climb * all.window_angle;
-    all.blocks[i].fall_from += all.blocks[i].fall * all.window_angle;
-  }
+  for (std::size_t i = 0; i < felt.count; ++i) move_to_next_window(all.blocks[i], all.window_angle);
   felt.from -= all.window_angle;
   felt.last -= all.window_angle;
   ++felt.window;
@@ -185,14 +212,20 @@ bool is_near(const FeltPulses& felt, std::span<const SawtoothCutter> cutters, st
 
 /// What is behind all that is felt need not be looked at.
 void shorten(FeltPulses& felt, const PulseBlock* blocks) {
-  while (felt.count > 0 && over_lanes(felt, blocks, felt.count - 1) == 0xf) --felt.count;
+  while (felt.count > 0 && over_lanes(blocks[felt.count - 1], felt.last) == 0xf) --felt.count;
 }
 
 }  // namespace
 
 void follow(FeltPulses& felt, PulseBlock* blocks, std::span<SawtoothCutter> cutters, double window_angle,
             std::int64_t window, double angle) {
-  Gathering all{felt, blocks, most_felt_blocks(cutters.size()), window_angle, 0, over_lanes(felt, blocks, 0)};
+  const bool wide = cutters.front().wide;
+  Gathering all{.felt = felt,
+                .blocks = blocks,
+                .most = most_felt_blocks(cutters.size()),
+                .window_angle = window_angle,
+                .wide = wide,
+                .over = over_word(felt, blocks, 0, wide)};
   if (!is_near(felt, cutters, window, angle, window_angle)) {
     begin_anew(all, cutters, window, angle);
   } else {

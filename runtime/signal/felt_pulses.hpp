@@ -40,7 +40,7 @@ struct FeltPulses {
 };
 
 /// Pulses that are added at one time, in the mean: the more, the seldomer that is, and the more lie idle.
-inline constexpr double added_together = 16.0;
+inline constexpr double added_together = 24.0;
 
 /// Room for so many is enough: what is felt at an angle began in two cells at most.
 constexpr std::size_t most_felt_blocks(std::size_t cutters) {

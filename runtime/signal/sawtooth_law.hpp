@@ -37,7 +37,7 @@ struct SawtoothLaw {
 inline constexpr double most_expected = 390.0;
 
 /// Pulses of a cell where there may be fewer: many enough that a new cell is seldom.
-inline constexpr double usual_expected = 48.0;
+inline constexpr double usual_expected = 128.0;
 
 /// **What** The law whose force has the wanted moments.
 /// **Equation** Pulses begin on the path at the points of a Poisson process; one that begins at b makes
