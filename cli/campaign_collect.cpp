@@ -100,6 +100,7 @@ void make_features(const FeaturesFlags& flags) {
   const peaks::PeakDefinition definition = definition_of(flags.definition, forces.mean_diameter);
   std::vector<studies::FeatureRow> rows;
   for (const studies::CutForces& cut : forces.cuts) rows.push_back(studies::row_of(cut, definition));
+  warn(flags.common, studies::warnings(rows));
   write_tables(rows, flags.output);
   say(flags.common, "{} rows -> {}, {}\n", rows.size(), flags.output, means_beside(flags.output).string());
   write_json(flags.common, {{"rows", rows.size()},

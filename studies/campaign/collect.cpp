@@ -61,6 +61,7 @@ Collection collect(const Study& study, const std::filesystem::path& folder, cons
       collection.warnings.push_back(otherwise_defined(job, row->second));
     }
   });
+  for (std::string& warning : warnings(collection.rows)) collection.warnings.push_back(std::move(warning));
   keep_within_a_file(collection);
   return collection;
 }

@@ -152,6 +152,23 @@ FeatureRow row_of(const Job& job, const dem2d::CutRun& run, const peaks::PeakDef
   return row;
 }
 
+std::vector<std::string> warnings(const std::vector<FeatureRow>& rows) {
+  int too_short = 0;
+  const FeatureRow* first = nullptr;
+  for (const FeatureRow& row : rows) {
+    const bool known = row.short_correlation_length > 0.0;
+    if (!known || row.short_correlation_length >= row.sampling) continue;
+    if (++too_short == 1) first = &row;
+  }
+  if (too_short == 0) return {};
+  return {fmt::format(
+      "in {} of {} cuts the short correlation length is below the distance of the samples, first in case {} seed {}: "
+      "{:.3g} of {:.3g} um; it is the sampling's, not the rock's (a force rebuilt from it changes too slowly; cut with "
+      "a smaller sampling_distance_um)",
+      too_short, rows.size(), first->case_number, first->seed,
+      base::in_units(first->short_correlation_length, base::um), base::in_units(first->sampling, base::um))};
+}
+
 bool same_result(const FeatureRow& a, const FeatureRow& b) {
   FeatureRow other = b;
   other.case_number = a.case_number;

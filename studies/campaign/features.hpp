@@ -42,6 +42,9 @@ FeatureRow row_of(const Job& job, const dem2d::CutRun& run, const peaks::PeakDef
 void fill_statistics(FeatureRow& row, std::span<const double> force_x, std::span<const double> force_y,
                      const peaks::PeakDefinition& definition);
 
+/// What may be wrong with the statistics of these cuts, in words: correlation lengths that the sampling cannot tell.
+std::vector<std::string> warnings(const std::vector<FeatureRow>& rows);
+
 /// Whether two rows tell the same of a cut, whatever time it took and wherever its case stands in a study.
 bool same_result(const FeatureRow& a, const FeatureRow& b);
 

@@ -227,6 +227,19 @@ TEST_F(Folder, ForcesOfAFileStandForTheRunsWhateverTheDefinition) {
   }
 }
 
+TEST(FeatureWarnings, OfLengthsThatTheSamplingCannotTell) {
+  studies::FeatureRow good{.case_number = 1, .seed = 2, .sampling = 20e-6};
+  good.short_correlation_length = 90e-6;
+  studies::FeatureRow bad = good;
+  bad.short_correlation_length = 15e-6;
+  EXPECT_TRUE(studies::warnings({good}).empty());
+  const std::vector<std::string> said = studies::warnings({good, bad});
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said[0].find("in 1 of 2 cuts the short correlation length is below the distance of the samples, first in "
+                         "case 1 seed 2: 15 of 20 um"),
+            0u);
+}
+
 TEST_F(Folder, DamagedForcesAreRefusedInWords) {
   finish_all();
   const studies::ForcesFile good = collected().forces;
