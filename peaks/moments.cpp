@@ -39,26 +39,45 @@ double product(std::span<const double> a, std::span<const double> b, std::size_t
 
 constexpr double usual_level = 1.0 / std::numbers::e, short_level = 0.75;  // of the autocorrelation [1]
 
-/// The first lags at which the autocorrelation has fallen to both levels [samples].
+/// Autocorrelation of a record about its own mean, lag by lag as it is asked for.
+class Autocorrelation {
+ public:
+  Autocorrelation(std::span<const double> deviation, double square) : deviation_(deviation), square_(square) {}
+
+  /// The first lag at which that of an endless record has fallen to `level` [samples]; the length of the record where
+  /// it never does. `share`: of its variance that the mean of the record takes.
+  double first_at(double level, double share) {
+    const double seen = (level - share) / (1.0 - share);
+    for (std::size_t lag = 1; lag < deviation_.size(); ++lag) {
+      if (lag == values_.size()) values_.push_back(product(deviation_, deviation_, lag) / square_);
+      if (values_[lag] <= seen)
+        return static_cast<double>(lag) - (seen - values_[lag]) / (values_[lag - 1] - values_[lag]);
+    }
+    return static_cast<double>(deviation_.size());
+  }
+
+ private:
+  std::span<const double> deviation_;
+  double square_;
+  std::vector<double> values_{1.0};
+};
+
+/// First lags [samples].
 struct Lags {
   double usual, brief;
 };
 
 Lags first_lags(std::span<const double> deviation, double square) {
-  const auto end = static_cast<double>(deviation.size());
-  Lags lags{end, end};
-  double before = 1.0;
-  for (std::size_t lag = 1; lag < deviation.size(); ++lag) {
-    const double now = product(deviation, deviation, lag) / square;
-    const auto reached = [&](double level) { return static_cast<double>(lag) - (level - now) / (before - now); };
-    if (now <= short_level && lags.brief == end) lags.brief = reached(short_level);
-    if (now <= usual_level) {
-      lags.usual = reached(usual_level);
-      break;
-    }
-    before = now;
+  constexpr int rounds = 3;            // the length is known to a thousandth then
+  constexpr double most_share = 0.25;  // in records shorter than eight lengths nothing is known
+  Autocorrelation autocorrelation(deviation, square);
+  const auto samples = static_cast<double>(deviation.size());
+  double usual = autocorrelation.first_at(usual_level, 0.0), share = 0.0;
+  for (int round = 0; round < rounds; ++round) {
+    share = std::min(2.0 * usual / samples, most_share);
+    usual = autocorrelation.first_at(usual_level, share);
   }
-  return lags;
+  return {usual, autocorrelation.first_at(short_level, share)};
 }
 
 }  // namespace

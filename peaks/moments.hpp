@@ -6,14 +6,17 @@
 ///
 ///     m = sum f_i / n      sd = sqrt(sum (f_i - m)^2 / n)
 ///     R(k) = sum_{i=1}^{n-k} (f_i - m)(f_{i+k} - m) / (n sd^2)          autocorrelation at the lag k s
-///     correlation length: the first lag at which R has fallen to 1/e, between samples by a straight line
-///     short correlation length: the same for 3/4; the smaller a share it is of the other, the more mixed the lengths
-///     low-force share: samples with f_i <= 0.1 m, over n
-///     correlation of x and y: sum (x_i - m_x)(y_i - m_y) / (n sd_x sd_y)
+///     b = 2 ell / (n s)                                     share of the variance that the mean of the record takes
+///     correlation length ell: the first lag at which R (1 - b) + b has fallen to 1/e, between samples by a straight
+///     line short correlation length: the same for 3/4; the smaller a share it is of the other, the more mixed the
+///     lengths low-force share: samples with f_i <= 0.1 m, over n correlation of x and y: sum (x_i - m_x)(y_i - m_y) /
+///     (n sd_x sd_y)
 ///
-/// **Validity.** As m is that of the record itself, R comes out too low by some 2 ell / (n s) for a record n s long: 1
-/// % for 50 correlation lengths. A constant record has sd = 0, and its correlation length and correlation are 0; where
-/// R never falls to 1/e the length is that of the record. All samples must be finite.
+/// **Validity.** As m is that of the record itself, R comes out as (R_endless - b) / (1 - b), which would make lengths
+/// 5 % too short in a record of 100 of them; b takes the integral of the autocorrelation as ell, which it is for an
+/// exponential one, and is at most 1/4. The standard deviation is that of the record, and so a share b / 2 below that
+/// of an endless one. A constant record has sd = 0, and its correlation length and correlation are 0; where R never
+/// falls to 1/e the length is that of the record. All samples must be finite.
 
 #include <span>
 

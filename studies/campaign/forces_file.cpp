@@ -16,7 +16,7 @@ namespace bitrock::studies {
 
 namespace {
 
-constexpr const char* format_name = "bitrock forces";
+constexpr const char* format_name = "bitrock-forces";
 constexpr long long format_version = 1;
 constexpr std::size_t hash_length = 16;
 

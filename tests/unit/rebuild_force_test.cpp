@@ -68,20 +68,35 @@ TEST(ConstantModel, AnswersWhatItWasMadeOf) {
   EXPECT_TRUE(answer.inside_training_range);
 }
 
+/// Of all cuts of a case, one behind the other.
+peaks::Moments moments_of_all(const studies::KnownCase& known, std::vector<float> studies::CutForces::*component) {
+  std::vector<double> all;
+  for (const studies::CutForces& cut : known.cuts)
+    all.insert(all.end(), (cut.*component).begin(), (cut.*component).end());
+  return peaks::moments(all, 20e-6);
+}
+
 TEST(RebuiltForce, HasTheMomentsThatItIsMadeOf) {
-  const studies::KnownCase known = sawtooth_case(400);
-  const peaks::Moments x = peaks::moments(
-      [&] {
-        std::vector<double> all;
-        for (const studies::CutForces& cut : known.cuts) all.insert(all.end(), cut.x.begin(), cut.x.end());
-        return all;
-      }(),
-      20e-6);
+  const peaks::Moments x = moments_of_all(sawtooth_case(400), &studies::CutForces::x);
   const surrogate::OutputValues wanted = usual_statistics();
   EXPECT_NEAR(x.mean, wanted[moments_from], 0.02 * wanted[moments_from]);
   EXPECT_NEAR(x.sd, wanted[moments_from + 1], 0.02 * wanted[moments_from + 1]);
   EXPECT_NEAR(x.correlation_length, wanted[moments_from + 4], 0.03 * wanted[moments_from + 4]);
   EXPECT_NEAR(x.short_correlation_length, wanted[moments_from + 5], 0.03 * wanted[moments_from + 5]);
+}
+
+// Each cut is 120 correlation lengths long, and its own mean takes a share of its variance: without a correction its
+// lengths would be 5 % too short.
+TEST(Rebuild, LengthsOfShortRecordsAreThoseOfAnEndlessOne) {
+  const studies::KnownCase known = sawtooth_case(400);
+  const peaks::Moments x = moments_of_all(known, &studies::CutForces::x),
+                       y = moments_of_all(known, &studies::CutForces::y);
+  const studies::Rebuilding all = studies::rebuild({known}, nullptr, {.draws = 1});
+  const surrogate::OutputValues own = studies::own_statistics(all.dem[0], all.known[0]);
+  const double usual = 0.5 * (x.correlation_length + y.correlation_length);
+  const double brief = 0.5 * (x.short_correlation_length + y.short_correlation_length);
+  EXPECT_NEAR(own[moments_from + 4], usual, 0.02 * usual);
+  EXPECT_NEAR(own[moments_from + 5], brief, 0.02 * brief);
 }
 
 TEST(Rebuild, ATrainOfSawteethIsRebuiltLikeItself) {
@@ -94,6 +109,7 @@ TEST(Rebuild, ATrainOfSawteethIsRebuiltLikeItself) {
       EXPECT_NEAR(seen.sd_ratio, 1.0, 0.05);
       EXPECT_NEAR(seen.damage_range_ratio, 1.0, 0.05);
       EXPECT_NEAR(seen.low_share, seen.low_share_dem, 0.02);
+      EXPECT_NEAR(seen.correlation_length_ratio, 1.0, 0.03);
       for (const double off : seen.octave_difference) EXPECT_NEAR(off, 0.0, 1.0);
     }
     EXPECT_NEAR(one.likeness.xy_correlation, one.likeness.xy_correlation_dem, 0.02);
