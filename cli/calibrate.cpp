@@ -1,13 +1,11 @@
 // bitrock calibrate: micro-parameters of a synthetic rock from its laboratory numbers.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "base/units.hpp"
 #include "base/value_lists.hpp"
 #include "cli/command.hpp"
 #include "studies/calibrate/calibrated_rock.hpp"
@@ -40,23 +38,9 @@ std::vector<int> fresh_seeds(const Options& options, const studies::CalibrationT
 }
 
 void print_plan(const Options& options, const studies::CalibrationTarget& target) {
-  const studies::CalibrationSettings& settings = target.settings;
-  const dem2d::LabSettings lab = studies::lab_settings_of(target);
   const studies::CalibrationCost cost = studies::cost_of(target);
-  const double minutes = cost.core_seconds / options.jobs / 60.0;
-  say(options.common,
-      "{}: cores of {:g} x {:g} mm, about {:.0f} discs; seeds {} to {}, {} of them while scouting; about {:.2g} s of "
-      "one core a specimen; usually {} + {} evaluations (at most {}), about {:.2g} minutes on {} cores\n",
-      target.name, base::in_units(lab.width, base::mm), base::in_units(lab.height, base::mm), cost.discs,
-      settings.first_seed, settings.first_seed + settings.seeds - 1, settings.scouting_seeds,
-      cost.core_seconds_per_specimen, studies::usual_coarse_evaluations, studies::usual_fine_evaluations,
-      settings.most_evaluations, minutes, options.jobs);
-  write_json(options.common, {{"discs", std::llround(cost.discs)},
-                              {"seeds", settings.seeds},
-                              {"scouting_seeds", settings.scouting_seeds},
-                              {"most_evaluations", settings.most_evaluations},
-                              {"core_seconds_per_specimen", cost.core_seconds_per_specimen},
-                              {"expected_minutes", minutes}});
+  say(options.common, "{}", views::plan_line(target, cost, options.jobs));
+  write_json(options.common, views::plan_json(target, cost, options.jobs));
 }
 
 /// What the user typed, as far as it decides the result.
@@ -65,12 +49,6 @@ std::string command_of(const Options& options) {
   if (options.friction) command += " --friction";
   if (!options.validate_seeds.empty()) command += " --validate-seeds " + options.validate_seeds;
   return command;
-}
-
-void print_fresh(const Options& options, const studies::CalibrationTarget& target,
-                 const studies::FreshSpecimens& fresh) {
-  say(options.common, "on fresh specimens, seeds {}:\n", base::seeds_text(fresh.seeds));
-  for (const std::string& line : studies::lines_about(target, fresh.result)) say(options.common, "    {}\n", line);
 }
 
 /// The tests of a calibration, each evaluation with a progress line of its own.
@@ -120,22 +98,15 @@ void run_calibration(const Options& options, const studies::CalibrationTarget& t
   const auto wall = [started] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   };
-  say(options.common, "{} after {} evaluations, {} tests ({} more from the journal), {}\n",
-      studies::name_of(calibration.end), calibration.evaluations.size(), laboratory.count().tests,
-      laboratory.count().reused, base::readable_duration(wall()));
-  for (const std::string& line : studies::lines_about(target, calibration.best)) say(options.common, "    {}\n", line);
+  say(options.common, "{}", views::end_lines(target, calibration, laboratory.count(), wall()));
   keep(options, target, calibration, {}, laboratory.count(), wall());
   say(options.common, "-> {}\n", options.output);
   if (!fresh_list.empty()) {
     const studies::FreshSpecimens fresh = test_fresh(options, calibration, fresh_list, laboratory);
-    print_fresh(options, target, fresh);
+    say(options.common, "{}", views::fresh_lines(target, fresh));
     keep(options, target, calibration, fresh, laboratory.count(), wall());
   }
-  if (calibration.end == studies::SearchEnd::reached) return;
-  std::string nearest;
-  for (const std::string& line : studies::lines_about(target, calibration.best)) nearest += "\n  " + line;
-  throw base::SimulationError(fmt::format("the target was not reached: {}; the nearest is kept in {}:{}",
-                                          studies::reason_of(target, calibration), options.output, nearest));
+  studies::require_reached(target, calibration, options.output);
 }
 
 void run(const Options& options) {

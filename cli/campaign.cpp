@@ -1,16 +1,14 @@
 // bitrock campaign: many cuts, resumable, one cut a core.
 #include "cli/campaign.hpp"
 
-#include <algorithm>
-
 #include "base/errors.hpp"
-#include "base/units.hpp"
 #include "base/value_lists.hpp"
 #include "studies/campaign/accepted.hpp"
 #include "studies/campaign/folder.hpp"
 #include "studies/campaign/plan.hpp"
 #include "studies/campaign/runner.hpp"
 #include "views/json/campaign_json.hpp"
+#include "views/text/campaign_lines.hpp"
 
 namespace bitrock::cli {
 
@@ -31,23 +29,6 @@ void parse_shard(const std::string& text, studies::RunOptions& run) {
   run.shards = (*numbers)[1];
 }
 
-std::string described(const studies::Job& job) {
-  return fmt::format("case {} seed {}: {:g} m/s, {:g} mm, {:g} deg", job.case_number, job.seed, job.cut.cutter_speed,
-                     base::in_units(job.cut.depth_of_cut, base::mm), base::in_units(job.cut.back_rake, base::deg));
-}
-
-void print_job(const studies::JobReport& report) {
-  const std::string place = fmt::format("[{}/{}] {}", report.finished, report.total, described(*report.job));
-  if (report.elsewhere) {
-    print(place + " done by another runner\n");
-  } else if (report.failed) {
-    print(fmt::format("{} FAILED: {}\n", place, report.message));
-  } else {
-    print(fmt::format("{} in {:.1f} s; about {} left\n", place, report.wall_time,
-                      base::readable_duration(report.time_left)));
-  }
-}
-
 void run_campaign(const RunFlags& flags) {
   const CampaignOptions& options = flags.campaign;
   const studies::Study study = study_of(options);
@@ -61,7 +42,7 @@ void run_campaign(const RunFlags& flags) {
   require_outputs(options.common, {options.study_file, folder / "study.toml", folder / "features.csv"}, {});
   accept_cuts(flags, study);
   if (!options.common.quiet) {
-    run.on_job = print_job;
+    run.on_job = [](const studies::JobReport& report) { print(views::job_line(report)); };
     run.on_stage = [](const std::string& text) { print(text + "\n"); };
   }
   studies::run(study, folder, run);
@@ -77,12 +58,8 @@ void run_campaign(const RunFlags& flags) {
 void show_status(const CampaignOptions& options) {
   require_outputs(options.common, {options.study_file}, {});
   const studies::Survey survey = studies::look(studies::read_study(options.study_file), options.folder);
-  for (const studies::RunningJob& running : survey.running) {
-    const studies::RunningRecord& record = running.record;
-    say(options.common, "running: {}, {:.0f} % after {} ({}, process {})\n", described(running.job),
-        100.0 * record.share_done, base::readable_duration(std::max(0.0, studies::now() - record.started)), record.host,
-        record.pid);
-  }
+  for (const studies::RunningJob& running : survey.running)
+    say(options.common, "{}", views::running_line(running, studies::now()));
   print(options, survey.status);
 }
 
@@ -159,15 +136,7 @@ void add_campaign_folder(CLI::App& action, CampaignOptions& options) {
 }
 
 void print(const CampaignOptions& options, const studies::Status& status) {
-  std::string rest;
-  if (status.time_left && *status.time_left > 0.0) {
-    rest = fmt::format("; about {} left", base::readable_duration(*status.time_left));
-  } else if (status.core_left && *status.core_left > 0.0) {
-    rest = fmt::format("; about {} of one core left, nobody works on it", base::readable_duration(*status.core_left));
-  }
-  say(options.common, "{} of {} runs done, {} running, {} failed, {} remaining; {} of one core spent{}\n", status.done,
-      status.cases, status.running, status.failed, status.remaining, base::readable_duration(status.core_seconds),
-      rest);
+  say(options.common, "{}", views::status_line(status));
   write_json(options.common, views::as_json(status));
 }
 

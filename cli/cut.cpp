@@ -1,12 +1,10 @@
 // bitrock cut: one cut of one cutter through a bed of rock.
-#include <cmath>
 #include <memory>
 
 #include "base/errors.hpp"
 #include "cli/command.hpp"
 #include "dem2d/files/run_file.hpp"
 #include "dem2d/files/specimen_file.hpp"
-#include "dem2d/step/cost.hpp"
 #include "views/json/cut_json.hpp"
 #include "views/text/cut_lines.hpp"
 
@@ -41,28 +39,8 @@ void print_plan(const Options& options, const dem2d::CutCase& cut) {
   const dem2d::Specimen bed = bed_of(options, cut);
   const dem2d::World world = dem2d::make_cut_world(cut, bed);
   const dem2d::CutSchedule plan = dem2d::plan_steps(cut, world.step);
-  const double steps = static_cast<double>(plan.steps());
-  const double minutes = dem2d::expected_core_seconds(steps, static_cast<double>(bed.x.size())) / 60.0;
-  say(options.common,
-      "discs {}, joints {}, critical step {:.3g} s, step {:.3g} s, steps {:.0f}, samples {}, duration {:.4g} s, about "
-      "{:.2g} minutes on one core\n",
-      bed.x.size(), bed.disc1.size(), world.step, plan.step, steps, plan.samples, steps * plan.step, minutes);
-  write_json(options.common, {{"discs", bed.x.size()},
-                              {"joints", bed.disc1.size()},
-                              {"critical_step_s", world.step},
-                              {"step_s", plan.step},
-                              {"steps", steps},
-                              {"duration_s", steps * plan.step},
-                              {"expected_minutes", minutes}});
-}
-
-void warn_of_injected_energy(const Options& options, const dem2d::CutRun& run) {
-  if (options.without_energy || std::abs(run.energy_injected_fraction) <= dem2d::most_injected) return;
-  warn(
-      options.common,
-      fmt::format("{:.2g} % of the cutter's work came from contacts and joints that began under load (at most {:.0f} % "
-                  "is usual): do not trust these forces; is the step too long?",
-                  100.0 * run.energy_injected_fraction, 100.0 * dem2d::most_injected));
+  say(options.common, "{}", views::plan_line(bed, world.step, plan));
+  write_json(options.common, views::plan_json(bed, world.step, plan));
 }
 
 void run(const Options& options) {
@@ -88,7 +66,7 @@ void run(const Options& options) {
 
   write_json(options.common, views::as_json(result));
   say(options.common, "{}-> {}\n", views::cut_lines(result), options.output);
-  warn_of_injected_energy(options, result);
+  warn(options.common, dem2d::warnings(result));
 }
 
 }  // namespace

@@ -1,20 +1,16 @@
 // bitrock drill: a drill string on the rock that the networks describe, and its natural frequencies; `compare` and
 // `map` have files of their own.
-#include <cmath>
 #include <memory>
 
 #include "base/files.hpp"
 #include "base/text.hpp"
-#include "base/units.hpp"
 #include "cli/bit_tallies.hpp"
 #include "cli/command.hpp"
 #include "cli/drill_parts.hpp"
-#include "runtime/drillstring/closed_forms.hpp"
 #include "runtime/drillstring/drill_file.hpp"
-#include "runtime/drillstring/modes.hpp"
-#include "runtime/drillstring/steadiness.hpp"
 #include "views/json/drill_json.hpp"
 #include "views/text/drill_lines.hpp"
+#include "views/text/drill_plan_lines.hpp"
 
 namespace bitrock::cli {
 
@@ -27,66 +23,19 @@ struct Options {
   int seed = -1;
 };
 
-std::string listed(const std::vector<double>& frequencies) {
-  std::string text;
-  for (std::size_t i = 0; i < frequencies.size() && i < 6; ++i)
-    text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", frequencies[i]);
-  return frequencies.size() > 6 ? text + ", ..." : text;
-}
-
-/// What decides whether small vibrations about steady rotation die, as far as friction at the static weight on bit
-/// says.
-std::optional<runtime::Steadiness> steadiness_of(const runtime::DrillString& string) {
-  const double rotation = string.drive.rotation;
-  if (!string.drive.imposes_speed || rotation == 0.0 || string.bit.friction.law == runtime::FrictionLaw::none)
-    return std::nullopt;
-  return runtime::steadiness(string, rotation, runtime::static_weight_on_bit(string));
-}
-
 void show_modes(const Options& options) {
   const runtime::DrillCase drill = runtime::read_drill_case(options.drill.file);
   const runtime::DrillString string = runtime::assemble(drill);
   require_outputs(options.common, {options.drill.file, drill.bit_file}, {});
-  const auto [on_bottom, off_bottom, torsional] = runtime::drill_modes(string);
-  const std::optional<runtime::ClosedForms> forms = runtime::closed_forms(drill);
-  const std::optional<runtime::Steadiness> steady = steadiness_of(string);
-  say(options.common, "{}\n", drill.name);
-  if (!on_bottom.empty()) {
-    say(options.common, "axial, bit on rock:   {} Hz\naxial, bit off bottom: {} Hz\n", listed(on_bottom),
-        listed(off_bottom));
-  }
-  say(options.common, "torsional, bit free:  {} Hz\n", listed(torsional));
-  if (forms) {
-    say(options.common,
-        "closed forms for the pipe alone: continuous, free at the bit: axial {:.4g}, torsional {:.4g} Hz; equal "
-        "lumps: {} Hz\n",
-        forms->axial_continuous, forms->torsional_continuous, listed(forms->equal_lumps));
-  }
-  if (steady) {
-    say(options.common,
-        "steady rotation at {:.4g} rpm: friction takes {:.3g} N m s/rad of damping, the string has {:.3g}: {}\n",
-        string.drive.rotation / base::rpm, steady->demand, steady->damping,
-        steady->demand < steady->damping ? "stable" : "not stable");
-  }
-  write_json(options.common, {{"axial_Hz", on_bottom},
-                              {"axial_off_bottom_Hz", off_bottom},
-                              {"torsional_Hz", torsional},
-                              {"closed_forms", views::as_json(forms)},
-                              {"steady_rotation", views::as_json(steady)},
-                              {"longest_stable_step_s", runtime::longest_stable_step(string)}});
+  const studies::StringOutlook outlook = studies::outlook(drill, string);
+  say(options.common, "{}", views::modes_lines(drill, outlook));
+  write_json(options.common, views::as_json(outlook));
 }
 
 void print_plan(const Options& options, const runtime::DrillCase& drill, const runtime::DrillString& string) {
-  const double longest = runtime::longest_stable_step(string), step = runtime::step_of(drill.run);
-  const double steps = drill.run.duration / step, weight = runtime::static_weight_on_bit(string);
-  say(options.common,
-      "{}: static weight on bit {:.4g} kN, step {:.4g} ms (stable up to {:.4g} ms), {:.0f} steps, {:.0f} rows\n",
-      drill.name, weight * 1e-3, step * 1e3, longest * 1e3, steps, drill.run.duration / drill.run.sample);
-  write_json(options.common, {{"static_weight_on_bit_N", weight},
-                              {"step_s", step},
-                              {"longest_stable_step_s", longest},
-                              {"steps", steps},
-                              {"rows", std::floor(drill.run.duration / drill.run.sample) + 1.0}});
+  const studies::DrillPlan plan = studies::plan(drill, string);
+  say(options.common, "{}", views::plan_line(drill, plan));
+  write_json(options.common, views::as_json(drill, plan));
 }
 
 void run(const Options& options) {
@@ -114,13 +63,11 @@ void run(const Options& options) {
   runtime::write_drill_run(result, drill, fingerprint, options.output);
   say(options.common, "{}; {:.0f} times real time -> {}\n", views::drill_lines(drill, result),
       drill.run.duration / result.wall_time, options.output);
-  if (model) tell_clamps(options.common, result.summary.clamps, asked_at_the_mean(drill.bit, *model, result.summary));
-  write_json(options.common, {{"summary", views::as_json(result.summary)},
-                              {"step_s", result.step},
-                              {"steps", result.steps},
-                              {"duration_s", drill.run.duration},
-                              {"wall_s", result.wall_time},
-                              {"times_real_time", drill.run.duration / result.wall_time}});
+  if (model) {
+    const std::string asked = asked_at_the_mean(drill.bit, *model, result.summary);
+    tell(options.common, views::remarks(result.summary.clamps, asked));
+  }
+  write_json(options.common, views::as_json(drill, result));
 }
 
 }  // namespace

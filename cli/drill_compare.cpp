@@ -10,12 +10,13 @@
 #include "cli/drill_parts.hpp"
 #include "studies/drill/comparison.hpp"
 #include "views/json/drill_json.hpp"
+#include "views/text/drill_plan_lines.hpp"
 
 namespace bitrock::cli {
 
 namespace {
 
-using studies::ComparedRun, studies::ComparedRuns, studies::Comparison, studies::source_names;
+using studies::ComparedRuns, studies::Comparison, studies::source_names;
 
 struct Options {
   CommonOptions common;
@@ -54,26 +55,6 @@ Comparison read_comparison(const Options& options) {
   return comparison;
 }
 
-void warn_of_mismatch(const Options& options, const ComparedRuns& runs) {
-  for (std::size_t k = 1; k < runs.size(); ++k) {
-    for (const ComparedRun& run : runs[k]) {
-      if (run.mismatch <= studies::allowed_mismatch) continue;
-      warn(options.common, fmt::format("{}, seed {}: mean and RMS could be matched to {:.2g} % only", source_names[k],
-                                       run.seed, 100.0 * run.mismatch));
-    }
-  }
-}
-
-/// The networks' runs of all seeds together.
-void tell_clamps_of_all(const Options& options, const Comparison& comparison, const ComparedRuns& runs) {
-  runtime::ClampTally sum;
-  for (const ComparedRun& run : runs[0]) sum += run.summary.clamps;
-  tell_clamps(
-      options.common, sum,
-      comparison.model ? asked_at_the_mean(comparison.drill.bit, *comparison.model, runs[0].front().summary) : "");
-}
-
-/// Runs of other seeds that an earlier call has left in the folder are computations, and stay; the tables are without.
 void warn_of_other_runs(const Options& options, const Comparison& comparison) {
   const std::vector<std::string> others = studies::other_runs(comparison);
   if (others.empty()) return;
@@ -86,10 +67,8 @@ void compare(const Options& options) {
   const std::vector<std::filesystem::path> inputs = inputs_of(options.drill, comparison.drill);
   if (options.common.check) {
     require_outputs(options.common, inputs, {});
-    say(options.common, "{}: {} runs, {:g} s each, {:.0f} steps each; a simple source may need up to five trials\n",
-        comparison.drill.name, source_names.size() * comparison.seeds.size(), comparison.drill.run.duration,
-        comparison.drill.run.duration / runtime::step_of(comparison.drill.run));
-    return write_json(options.common, {{"runs", source_names.size() * comparison.seeds.size()}});
+    say(options.common, "{}", views::plan_line(comparison));
+    return write_json(options.common, {{"runs", studies::runs_of(comparison)}});
   }
   base::require_writable_folder(comparison.folder);
   require_outputs(options.common, inputs, outputs_of(comparison));
@@ -103,8 +82,10 @@ void compare(const Options& options) {
   base::write_whole(comparison.folder / "summary.md", table);
   say(options.common, "{}, {} seeds, mean ± standard deviation over the seeds\n\n{}\n-> {}\n", comparison.drill.name,
       comparison.seeds.size(), table, options.folder);
-  warn_of_mismatch(options, runs);
-  tell_clamps_of_all(options, comparison, runs);
+  for (const std::string& warning : studies::warnings(runs)) warn(options.common, warning);
+  const std::string asked =
+      comparison.model ? asked_at_the_mean(comparison.drill.bit, *comparison.model, runs[0].front().summary) : "";
+  tell(options.common, views::remarks(studies::clamps_of_all(runs), asked));
   warn_of_other_runs(options, comparison);
   write_json(options.common, views::as_json(runs));
 }

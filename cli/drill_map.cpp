@@ -6,13 +6,14 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/stop.hpp"
-#include "base/units.hpp"
 #include "base/value_lists.hpp"
 #include "cli/bit_tallies.hpp"
 #include "cli/drill_parts.hpp"
 #include "report/draw.hpp"
 #include "studies/drill/drill_map.hpp"
 #include "views/drill/map_picture.hpp"
+#include "views/json/drill_json.hpp"
+#include "views/text/drill_plan_lines.hpp"
 
 namespace bitrock::cli {
 
@@ -74,21 +75,9 @@ void report_points(const Options& options, const studies::DrillMap& map, const s
   const studies::MapTally seen = studies::tally_of(map, points);
   say(options.common, "{} runs in {:.3g} s: {} steady, {} with stick-slip, {} with bit bounce, {} failed -> {}\n",
       points.size(), wall_time, seen.steady, seen.stick_slip, seen.bit_bounce, seen.failed, options.output);
-  if (seen.failed > 0) warn(options.common, fmt::format("{} runs failed; column status says why", seen.failed));
-  if (seen.overloaded > 0) {
-    warn(options.common,
-         fmt::format("{} of {} runs have a static weight on bit above {:.3g} kN, more than a bit of {:.4g} "
-                     "mm bears (rule of thumb, not a maker's table)",
-                     seen.overloaded, points.size(), runtime::most_weight_on_bit(map.drill.bit) / base::kN,
-                     map.drill.bit.diameter * 1e3));
-  }
-  tell_clamps(options.common, seen.clamps, "column depth_clamped_share says where");
-  write_json(options.common, {{"runs", points.size()},
-                              {"steady", seen.steady},
-                              {"stick_slip", seen.stick_slip},
-                              {"bit_bounce", seen.bit_bounce},
-                              {"failed", seen.failed},
-                              {"wall_s", wall_time}});
+  warn(options.common, studies::warnings(map, seen));
+  tell(options.common, views::remarks(seen.clamps, "column depth_clamped_share says where"));
+  write_json(options.common, views::as_json(seen, points.size(), wall_time));
 }
 
 void run(const Options& options) {
@@ -98,9 +87,7 @@ void run(const Options& options) {
   const std::vector<std::filesystem::path> inputs = inputs_of(options.drill, map.drill);
   if (options.common.check) {
     require_outputs(options.common, inputs, {});
-    say(options.common, "{}: {} hook loads, {} speeds, {} seeds: {} runs of {:g} s and {:.0f} steps\n", map.drill.name,
-        map.hook_loads_kN.size(), map.rotations_rpm.size(), map.seeds.size(), studies::runs_of(map),
-        map.drill.run.duration, map.drill.run.duration / runtime::step_of(map.drill.run));
+    say(options.common, "{}", views::plan_line(map));
     return write_json(options.common, {{"runs", studies::runs_of(map)}});
   }
   require_outputs(options.common, inputs, outputs);

@@ -1,17 +1,14 @@
 // bitrock lab: strength tests on synthetic cores, one core of the machine a specimen.
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "base/numbered_files.hpp"
 #include "base/stop.hpp"
 #include "base/value_lists.hpp"
 #include "cli/command.hpp"
 #include "dem2d/files/specimen_file.hpp"
-#include "dem2d/lab/loading_rate.hpp"
+#include "studies/lab/lab_files.hpp"
 #include "views/json/lab_json.hpp"
 #include "views/lab/lab_picture.hpp"
 #include "views/text/lab_table.hpp"
@@ -71,63 +68,26 @@ studies::LabSeries make_series(const Options& options) {
   return series;
 }
 
-/// Where the files of the tests go: a curve and a picture for each seed, the curves of all seeds together, and the rock
-/// that was tested.
-std::filesystem::path file_of(const Options& options, std::uint64_t seed, const char* ending) {
-  return std::filesystem::path(options.folder) / fmt::format("{}_seed_{}.{}", options.test_name, seed, ending);
-}
-std::filesystem::path file_of_all(const Options& options) {
-  return std::filesystem::path(options.folder) / fmt::format("{}_curves.png", options.test_name);
-}
-
-std::filesystem::path rock_file_of(const Options& options) {
-  return std::filesystem::path(options.folder) / fmt::format("{}_rock.toml", options.test_name);
-}
-
-/// Curves of other seeds that an earlier call has left in the folder are computations, and stay.
-void warn_of_other_seeds(const Options& options, const studies::LabSeries& series) {
-  std::vector<std::string> others;
-  for (const base::NumberedFile& file :
-       base::numbered_files(options.folder, {.begin = fmt::format("{}_seed_", options.test_name), .end = ".csv"})) {
-    if (std::find(series.seeds.begin(), series.seeds.end(), static_cast<std::uint64_t>(file.number)) ==
-        series.seeds.end())
-      others.push_back(file.path.filename().string());
-  }
+void warn_of_other_curves(const Options& options, const studies::LabSeries& series) {
+  const std::vector<std::string> others = studies::other_curves(series, options.folder);
   if (others.empty()) return;
   warn(options.common,
        fmt::format("{} also holds curves that are not of this call: {}", options.folder, fmt::join(others, ", ")));
 }
 
-std::vector<std::filesystem::path> output_files(const Options& options, const studies::LabSeries& series) {
-  if (options.folder.empty()) return {};
-  std::vector<std::filesystem::path> files{file_of_all(options), rock_file_of(options)};
-  for (const std::uint64_t seed : series.seeds) {
-    for (const char* ending : {"csv", "png"}) files.push_back(file_of(options, seed, ending));
-  }
-  return files;
-}
-
 void write_files(const Options& options, const studies::LabSeries& series, const dem2d::LabRun& run) {
   if (options.folder.empty()) return;
-  base::write_whole(file_of(options, run.seed, "csv"), studies::curve_csv(run));
-  base::write_whole(file_of(options, run.seed, "png"), views::draw_broken_core(run, series.rock.name));
+  const auto file_of = [&](const char* ending) {
+    return studies::file_of(options.folder, series.test, run.seed, ending);
+  };
+  base::write_whole(file_of("csv"), studies::curve_csv(run));
+  base::write_whole(file_of("png"), views::draw_broken_core(run, series.rock.name));
 }
 
 void print_plan(const Options& options, const studies::LabSeries& series) {
-  const dem2d::LabBox box = dem2d::specimen_box(series.test, series.settings);
   const studies::LabCost cost = studies::cost_of(series);
-  const double minutes = cost.core_seconds / 60.0;
-  say(options.common,
-      "{} {} tests of {:.4g} x {:.4g} mm, about {:.0f} discs each; strain rate {:.3g} /s, strength expected after "
-      "{:.3g} "
-      "s (about {:.2g} MPa); about {:.2g} minutes on one core, without packing\n",
-      series.seeds.size(), dem2d::name_of(options.test), box.width * 1e3, box.height * 1e3, cost.discs,
-      series.settings.strain_rate, cost.duration, dem2d::expected_strength(options.test, series.rock) * 1e-6, minutes);
-  write_json(options.common, {{"specimens", series.seeds.size()},
-                              {"discs", std::llround(cost.discs)},
-                              {"strain_rate_per_s", series.settings.strain_rate},
-                              {"expected_strength_Pa", dem2d::expected_strength(options.test, series.rock)},
-                              {"expected_minutes", minutes}});
+  say(options.common, "{}", views::plan_line(series, cost));
+  write_json(options.common, views::as_json(series, cost));
 }
 
 studies::LabResults tested(const Options& options, const studies::LabSeries& series) {
@@ -143,12 +103,14 @@ void run(const Options& options) {
   if (series.given) {
     for (const std::string& warning : dem2d::warnings(*series.given)) warn(options.common, warning);
   }
-  require_outputs(options.common, {options.rock_file, options.specimen_file}, output_files(options, series));
+  require_outputs(options.common, {options.rock_file, options.specimen_file},
+                  studies::files_of(series, options.folder));
   if (options.common.check) return print_plan(options, series);
   if (!options.folder.empty()) {
-    base::write_whole(rock_file_of(options), fmt::format("# Made again by: {}\n\n{}", studies::command_again(series),
-                                                         studies::rock_text(series)));
-    warn_of_other_seeds(options, series);
+    base::write_whole(
+        studies::rock_file_of(options.folder, series.test),
+        fmt::format("# Made again by: {}\n\n{}", studies::command_again(series), studies::rock_text(series)));
+    warn_of_other_curves(options, series);
   }
   std::optional<base::Saving> saving(std::in_place);
   const studies::LabResults results = tested(options, series);
@@ -161,7 +123,8 @@ void run(const Options& options) {
     say(options.common, "{}", views::rate_check_line(series.settings.strain_rate, results));
   write_json(options.common, views::as_json(series, results));
   if (!options.folder.empty() && !results.runs.empty()) {
-    base::write_whole(file_of_all(options), views::draw_curves(results.runs, series.rock.name));
+    base::write_whole(studies::file_of_all(options.folder, series.test),
+                      views::draw_curves(results.runs, series.rock.name));
     say(options.common, "-> {} files in {}\n", 2 * results.runs.size() + 2, options.folder);
   }
   studies::require_all(results);

@@ -25,23 +25,6 @@ struct Options {
   bool unseen = false;
 };
 
-void warn_of_data(const Options& options, const surrogate::TrainingData& data, const surrogate::Parity& parity) {
-  for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
-  if (!parity.same_data && !options.unseen) {
-    warn(options.common,
-         fmt::format("{} is not the file the model learnt from; cases of the same number are taken for the same cases "
-                     "(--unseen if they are not)",
-                     data.file));
-  }
-  if (parity.outside_training_range > 0) {
-    warn(options.common, fmt::format("{} cases held out lie outside the training range: the networks extrapolate there",
-                                     parity.outside_training_range));
-  }
-  if (parity.law_degrees == 0) {
-    warn(options.common, "no case was cut more than once: nothing is known of the scatter of the data");
-  }
-}
-
 void write_page(const Options& options, const surrogate::Model& model, const surrogate::Parity& parity) {
   report::Page page("Network against DEM", model.rock);
   page.section("Parity");
@@ -61,8 +44,9 @@ std::vector<report::Figure> all_figures(const surrogate::Parity& parity) {
 void run(const Options& options) {
   const surrogate::Model model = surrogate::read_model(options.model_file);
   const surrogate::TrainingData data = surrogate::read_training_data(options.data_files);
-  const surrogate::Parity parity = surrogate::parity(
-      model, data, options.unseen ? surrogate::CaseNumbers::of_another_study : surrogate::CaseNumbers::as_in_training);
+  const surrogate::CaseNumbers numbers =
+      options.unseen ? surrogate::CaseNumbers::of_another_study : surrogate::CaseNumbers::as_in_training;
+  const surrogate::Parity parity = surrogate::parity(model, data, numbers);
   std::vector<report::Figure> figures;
   std::vector<std::filesystem::path> outputs;
   if (!options.report_file.empty()) outputs.emplace_back(options.report_file);
@@ -73,7 +57,8 @@ void run(const Options& options) {
   require_outputs(options.common, inputs, outputs);
 
   say(options.common, "{}", views::parity_table(parity));
-  warn_of_data(options, data, parity);
+  for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
+  warn(options.common, surrogate::warnings(parity, data, numbers));
   if (!options.report_file.empty()) write_page(options, model, parity);
   if (!figures.empty()) write_figures(options.common, options.figures, figures);
   write_json(options.common, views::as_json(parity));

@@ -24,21 +24,6 @@ struct Options {
   studies::RebuildOptions rebuild;
 };
 
-void warn_of(const Options& options, const studies::Rebuilding& found, const surrogate::Model* model) {
-  warn(options.common, found.left_out);
-  if (model == nullptr) return;
-  std::size_t outside = 0;
-  for (const studies::Comparison& one : found.comparisons) outside += one.inside_training_range ? 0 : 1;
-  if (outside > 0)
-    warn(options.common, fmt::format("{} of {} comparisons are outside the training range of {}", outside,
-                                     found.comparisons.size(), options.model_file));
-  if (options.modes == std::vector<std::string>{"sawtooth"} && !surrogate::has_moments(*model))
-    warn(options.common,
-         fmt::format("{} has the article's ten outputs alone: no sawtooth force can be made of it (train it on a table "
-                     "of `bitrock campaign collect`, or ask for --mode article-literal)",
-                     options.model_file));
-}
-
 void run(Options options) {
   options.rebuild.modes.clear();
   for (const std::string& name : options.modes) options.rebuild.modes.push_back(*runtime::mode_named(name));
@@ -57,7 +42,8 @@ void run(Options options) {
   const surrogate::Model* const networks = model ? &*model : nullptr;
   Progress progress(options.common, "rebuild", "cases");
   const studies::Rebuilding found = studies::rebuild(std::move(known), networks, options.rebuild, progress.callback());
-  warn_of(options, found, networks);
+  warn(options.common, found.left_out);
+  if (model) warn(options.common, studies::warnings(found, options.rebuild, *model, options.model_file));
   if (found.known.empty()) throw base::InputError("no case has a force that could be rebuilt");
   say(options.common, "{}", views::rebuild_table(found, options.rebuild));
   if (!options.report_file.empty()) {

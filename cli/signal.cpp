@@ -12,6 +12,7 @@
 #include "runtime/bit/core_description.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "views/json/bit_json.hpp"
+#include "views/text/signal_lines.hpp"
 
 namespace bitrock::cli {
 
@@ -43,32 +44,17 @@ void run(const Options& options) {
   base::write_whole(options.output,
                     base::csv_text({"time_s", "angle_rad", "axial_force_N", "torque_N_m"},
                                    {signal.time_s, signal.angle_rad, signal.axial_force_N, signal.torque_N_m}));
-  const runtime::SignalSummary& s = signal.summary;
   const double times_real_time = options.duration / wall;
   const runtime::SignalMode mode = runtime::mode_for(bit.signal.mode, model);
-  const bool is_sawtooth = mode == runtime::SignalMode::sawtooth;
-  say(options.common, "{}: {:g} rpm, {:g} m/h, depth of cut {:.4g} mm per turn\n", bit.name, options.rpm,
-      options.rop_m_per_h, s.depth_of_cut_m * 1e3);
-  say(options.common, "axial force mean {:.4g} kN, max {:.4g} kN; torque mean {:.4g} N m, max {:.4g} N m\n",
-      s.mean_force_N * 1e-3, s.max_force_N * 1e-3, s.mean_torque_N_m, s.max_torque_N_m);
-  tell_clamps(options.common, s.clamps, runtime::asked_outside(bit, model, drive.rotation, drive.rate_of_penetration));
-  is_sawtooth ? tell_sawtooth_draws(options.common, s.draws) : tell_draws(options.common, s.draws);
+  const std::string asked = runtime::asked_outside(bit, model, drive.rotation, drive.rate_of_penetration);
+  say(options.common, "{}", views::signal_lines(bit, drive, signal.summary));
+  tell(options.common, views::remarks(signal.summary.clamps, asked));
+  tell(options.common, views::remarks(signal.summary.draws, mode));
   say(options.common, "{} samples, {:.0f} times real time -> {}\n", signal.time_s.size(), times_real_time,
       options.output);
-  write_json(options.common, {{"bit", bit.name},
-                              {"cutters", bit.cutters.size()},
-                              {"rpm", options.rpm},
-                              {"rop_m_per_h", options.rop_m_per_h},
-                              {"mean_force_N", s.mean_force_N},
-                              {"max_force_N", s.max_force_N},
-                              {"mean_torque_N_m", s.mean_torque_N_m},
-                              {"max_torque_N_m", s.max_torque_N_m},
-                              {"depth_of_cut_m", s.depth_of_cut_m},
-                              {"clamped", views::as_json(s.clamps)},
-                              {"mode", runtime::name_of(mode)},
-                              {"windows", views::as_json(s.draws)},
-                              {"samples", signal.time_s.size()},
-                              {"times_real_time", times_real_time}});
+  nlohmann::json result = views::as_json(bit, signal, mode);
+  result.update({{"rpm", options.rpm}, {"rop_m_per_h", options.rop_m_per_h}, {"times_real_time", times_real_time}});
+  write_json(options.common, result);
 }
 
 }  // namespace

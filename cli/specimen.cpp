@@ -7,9 +7,9 @@
 #include "cli/command.hpp"
 #include "dem2d/files/discs_file.hpp"
 #include "dem2d/files/specimen_file.hpp"
-#include "dem2d/specimen/bonded_world.hpp"
-#include "dem2d/step/neighbours.hpp"
-#include "dem2d/step/step.hpp"
+#include "dem2d/specimen/genesis.hpp"
+#include "views/json/specimen_json.hpp"
+#include "views/text/specimen_lines.hpp"
 
 namespace bitrock::cli {
 
@@ -21,13 +21,6 @@ struct Options {
   int seed = 1;
   double width_mm = 0.0, height_mm = 0.0;
 };
-
-double critical_step_of(const dem2d::Specimen& specimen) {
-  dem2d::World world = dem2d::bonded_world(specimen, 1);
-  world.domain = {0.0, 0.0, specimen.width, specimen.height};
-  dem2d::prepare(world);
-  return dem2d::critical_step(world);
-}
 
 bool from_discs(const Options& options) {
   return !options.discs_file.empty();
@@ -79,39 +72,6 @@ void check(const Options& options, const dem2d::Rock& rock) {
   write_json(options.common, result);
 }
 
-void report(const Options& options, const dem2d::Specimen& specimen) {
-  const dem2d::Pieces pieces = dem2d::pieces(specimen);
-  nlohmann::json result{{"discs", specimen.x.size()},
-                        {"joints", specimen.disc1.size()},
-                        {"porosity", dem2d::porosity(specimen)},
-                        {"coordination_number", dem2d::coordination_number(specimen)},
-                        {"floaters", dem2d::floaters(specimen)},
-                        {"pieces", pieces.count},
-                        {"discs_of_largest_piece", pieces.largest},
-                        {"discs_without_joint", pieces.unjoined},
-                        {"equilibrium_ratio", specimen.equilibrium_ratio},
-                        {"pressure_Pa", specimen.pressure},
-                        {"radius_factor", specimen.radius_factor},
-                        {"critical_step_s", critical_step_of(specimen)},
-                        {"width_m", specimen.width},
-                        {"height_m", specimen.height},
-                        {"origin", specimen.origin},
-                        {"seed", options.seed}};
-  std::string packed = fmt::format("packed under {:.4g} MPa (equilibrium ratio {:.2g}, radii x {:.4f})",
-                                   specimen.pressure * 1e-6, specimen.equilibrium_ratio, specimen.radius_factor);
-  if (specimen.packed_elsewhere()) {
-    for (const char* unknown : {"equilibrium_ratio", "pressure_Pa", "radius_factor"}) result[unknown] = nullptr;
-    packed = specimen.origin;
-  }
-  say(options.common, "{}: {:.4g} x {:.4g} mm, {} discs, {} joints, coordination {:.2f}, porosity {:.3f}\n",
-      specimen.rock.name, specimen.width * 1e3, specimen.height * 1e3, specimen.x.size(), specimen.disc1.size(),
-      result["coordination_number"].get<double>(), result["porosity"].get<double>());
-  say(options.common, "{}, {} piece{} joined, {} floaters (less than 3 joints), critical step {:.3g} s -> {}\n", packed,
-      pieces.count, pieces.count == 1 ? "" : "s", result["floaters"].get<int>(),
-      result["critical_step_s"].get<double>(), options.output);
-  write_json(options.common, result);
-}
-
 void run(const Options& options) {
   const dem2d::Rock rock = dem2d::read_rock(options.rock_file);
   if (!from_discs(options)) {
@@ -122,7 +82,9 @@ void run(const Options& options) {
   require_outputs(options.common, {options.rock_file, options.discs_file}, {options.output});
   const dem2d::Specimen specimen = from_discs(options) ? read_discs(options, rock) : pack(options, rock);
   dem2d::write_specimen(specimen, options.output);
-  report(options, specimen);
+  const dem2d::SpecimenSummary summary = dem2d::summary_of(specimen);
+  say(options.common, "{} -> {}\n", views::specimen_lines(specimen, summary), options.output);
+  write_json(options.common, views::as_json(specimen, summary));
   warn_about(options, specimen);
 }
 

@@ -132,6 +132,14 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step) {
           .run_in_samples = std::llround(cut.run_in / cut.sampling_distance)};
 }
 
+std::vector<std::string> warnings(const CutRun& run) {
+  if (run.energies.empty() || std::abs(run.energy_injected_fraction) <= most_injected) return {};
+  return {
+      fmt::format("{:.2g} % of the cutter's work came from contacts and joints that began under load (at most {:.0f} % "
+                  "is usual): do not trust these forces; is the step too long?",
+                  100.0 * run.energy_injected_fraction, 100.0 * most_injected)};
+}
+
 CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options,
                const base::ProgressCallback& progress) {
   const auto started = std::chrono::steady_clock::now();

@@ -74,6 +74,9 @@ struct CutSchedule {
 /// than a hundredth of the smallest grain in one step.
 CutSchedule plan_steps(const CutCase& cut, double critical_step);
 
+/// What the forces may not be trusted for, in words: energy that contacts and joints brought in, where it was measured.
+std::vector<std::string> warnings(const CutRun& run);
+
 /// Throws `SimulationError` or, when stopped by the user, `Interrupted`.
 CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options = {},
                const base::ProgressCallback& progress = {});

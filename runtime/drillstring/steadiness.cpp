@@ -28,6 +28,13 @@ Steadiness steadiness(const DrillString& string, double rotation, double weight)
   return {.damping = equivalent_damping(string.torsional), .demand = weight * fall(string.bit, rotation)};
 }
 
+std::optional<Steadiness> steadiness(const DrillString& string) {
+  const double rotation = string.drive.rotation;
+  if (!string.drive.imposes_speed || rotation == 0.0 || string.bit.friction.law == FrictionLaw::none)
+    return std::nullopt;
+  return steadiness(string, rotation, static_weight_on_bit(string));
+}
+
 double steady_weight_limit(const DrillString& string, double rotation) {
   const double falling = fall(string.bit, rotation);
   return falling > 0.0 ? equivalent_damping(string.torsional) / falling : std::numeric_limits<double>::infinity();

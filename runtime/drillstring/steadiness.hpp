@@ -2,6 +2,8 @@
 /// Whether a string turns steadily, told from its parts alone, before any run: the limit below which small torsional
 /// vibrations die. It sees friction only; the source may shake a bit that this calls steady.
 
+#include <optional>
+
 #include "runtime/drillstring/drill_string.hpp"
 
 namespace bitrock::runtime {
@@ -17,6 +19,10 @@ struct Steadiness {
 /// **Symbols** W [N] weight on bit; r [m] arm of the friction; omega [rad/s] above 0; mu' [s/rad].
 /// **Validity** As `equivalent_damping`: light damping, one mode. A drive that imposes its speed.
 Steadiness steadiness(const DrillString& string, double rotation, double weight);
+
+/// The same at the speed of the drive and the static weight on bit. Nothing where the drive imposes no speed, or none
+/// above 0, and where the bit has no friction.
+std::optional<Steadiness> steadiness(const DrillString& string);
 
 /// The weight on bit [N] at which the two are equal; infinite where friction does not fall with speed.
 double steady_weight_limit(const DrillString& string, double rotation);

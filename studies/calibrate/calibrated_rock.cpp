@@ -136,6 +136,14 @@ std::string reason_of(const CalibrationTarget& target, const Calibration& calibr
   return reason;
 }
 
+void require_reached(const CalibrationTarget& target, const Calibration& calibration, const std::string& rock_file) {
+  if (calibration.end == SearchEnd::reached) return;
+  std::string nearest;
+  for (const std::string& line : lines_about(target, calibration.best)) nearest += "\n  " + line;
+  throw base::SimulationError(fmt::format("the target was not reached: {}; the nearest is kept in {}:{}",
+                                          reason_of(target, calibration), rock_file, nearest));
+}
+
 std::string calibrated_rock_toml(const CalibrationTarget& target, const Calibration& calibration,
                                  const std::string& command, const std::optional<FreshSpecimens>& fresh) {
   dem2d::Rock rock = calibrated_rock(target, calibration);

@@ -30,6 +30,10 @@ std::vector<std::string> lines_about(const CalibrationTarget& target, const Eval
 /// Why a calibration that did not reach its target ended, with what is at its limit and what one could do; one text.
 std::string reason_of(const CalibrationTarget& target, const Calibration& calibration);
 
+/// Throws `base::SimulationError` when the calibration did not reach its target, with the reason, the nearest
+/// evaluation, and the file that keeps it.
+void require_reached(const CalibrationTarget& target, const Calibration& calibration, const std::string& rock_file);
+
 /// The file. `command` is what the user typed. Throws `base::SimulationError` when it would be no rock file.
 std::string calibrated_rock_toml(const CalibrationTarget& target, const Calibration& calibration,
                                  const std::string& command, const std::optional<FreshSpecimens>& fresh = {});

@@ -28,4 +28,8 @@ CalibrationCost cost_of(const CalibrationTarget& target) {
   return cost;
 }
 
+double expected_minutes(const CalibrationCost& cost, int cores) {
+  return cost.core_seconds / cores / 60.0;
+}
+
 }  // namespace bitrock::studies

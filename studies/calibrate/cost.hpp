@@ -15,4 +15,7 @@ struct CalibrationCost {
 };
 CalibrationCost cost_of(const CalibrationTarget& target);
 
+/// On the clock, with this many cores [min].
+double expected_minutes(const CalibrationCost& cost, int cores);
+
 }  // namespace bitrock::studies

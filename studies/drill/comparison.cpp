@@ -69,6 +69,28 @@ ComparedRuns run_comparison(const Comparison& comparison, int jobs, const base::
   return runs;
 }
 
+std::size_t runs_of(const Comparison& comparison) {
+  return source_names.size() * comparison.seeds.size();
+}
+
+std::vector<std::string> warnings(const ComparedRuns& runs) {
+  std::vector<std::string> all;
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    for (const ComparedRun& run : runs[k]) {
+      if (run.mismatch <= allowed_mismatch) continue;
+      all.push_back(fmt::format("{}, seed {}: mean and RMS could be matched to {:.2g} % only", source_names[k],
+                                run.seed, 100.0 * run.mismatch));
+    }
+  }
+  return all;
+}
+
+runtime::ClampTally clamps_of_all(const ComparedRuns& runs) {
+  runtime::ClampTally sum;
+  for (const ComparedRun& run : runs[0]) sum += run.summary.clamps;
+  return sum;
+}
+
 std::vector<std::string> other_runs(const Comparison& comparison) {
   std::vector<std::string> others;
   for (const char* source : source_names) {

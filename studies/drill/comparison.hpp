@@ -37,6 +37,9 @@ struct ComparedRun {
   double mismatch = 0.0;  ///< [1] of mean and RMS against the networks' run of the same seed
 };
 
+/// Number of runs: a source and a seed each.
+std::size_t runs_of(const Comparison& comparison);
+
 /// For each of `source_names`, one run a seed.
 using ComparedRuns = std::array<std::vector<ComparedRun>, source_names.size()>;
 
@@ -47,8 +50,15 @@ std::filesystem::path run_file(const Comparison& comparison, std::size_t source,
 /// `runtime::run_drill` throws.
 ComparedRuns run_comparison(const Comparison& comparison, int jobs, const base::ProgressCallback& progress);
 
-/// Names of runs in the folder that belong to other seeds: an earlier call left them.
+/// What to look at in the runs: simple sources that could not be matched.
+std::vector<std::string> warnings(const ComparedRuns& runs);
+
+/// Names of runs in the folder that belong to other seeds: an earlier call left them. They are computations, and stay;
+/// the tables are without them.
 std::vector<std::string> other_runs(const Comparison& comparison);
+
+/// The questions of the networks' runs of all seeds.
+runtime::ClampTally clamps_of_all(const ComparedRuns& runs);
 
 /// One row a run, for spreadsheets.
 std::string compared_csv(const ComparedRuns& runs);

@@ -164,4 +164,17 @@ MapTally tally_of(const DrillMap& map, const std::vector<MapPoint>& points) {
   return tally;
 }
 
+std::vector<std::string> warnings(const DrillMap& map, const MapTally& seen) {
+  std::vector<std::string> all;
+  if (seen.failed > 0) all.push_back(fmt::format("{} runs failed; column status says why", seen.failed));
+  if (seen.overloaded > 0) {
+    all.push_back(
+        fmt::format("{} of {} runs have a static weight on bit above {:.3g} kN, more than a bit of {:.4g} "
+                    "mm bears (rule of thumb, not a maker's table)",
+                    seen.overloaded, runs_of(map), runtime::most_weight_on_bit(map.drill.bit) / base::kN,
+                    map.drill.bit.diameter * 1e3));
+  }
+  return all;
+}
+
 }  // namespace bitrock::studies

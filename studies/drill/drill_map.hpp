@@ -55,4 +55,7 @@ struct MapTally {
 };
 MapTally tally_of(const DrillMap& map, const std::vector<MapPoint>& points);
 
+/// What to look at in a map of so many runs: failed ones, and more weight on bit than the bit bears.
+std::vector<std::string> warnings(const DrillMap& map, const MapTally& seen);
+
 }  // namespace bitrock::studies

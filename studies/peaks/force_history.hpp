@@ -40,6 +40,17 @@ struct ForceFindings {
 /// `parts`: so many equal parts of the time, or of the samples when there are no times.
 ForceFindings find_in(const ForceHistory& history, int parts, const peaks::Selection& selection = {});
 
+/// What stands for the times when no column gives them.
+inline constexpr const char* without_times = "samples are taken for evenly spaced, and lengths are in samples";
+
+/// " N/m" of a column like x_N_per_m: the unit that its name ends in, as far as forces have one, behind a blank; empty
+/// otherwise.
+std::string unit_of(const std::string& column);
+
+/// What to look at in a history although its peaks are counted, in words: a mean below 0, no times, samples that are no
+/// numbers or stand at uneven distances.
+std::vector<std::string> warnings(const ForceHistory& history, const ForceFindings& found);
+
 /// What somebody asks of peaks beyond the article's definition.
 struct PeakWish {
   bool converging = false;      ///< the definition of that name (peaks/definition.hpp)

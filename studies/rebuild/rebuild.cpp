@@ -162,4 +162,20 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
   return all;
 }
 
+std::vector<std::string> warnings(const Rebuilding& rebuilding, const RebuildOptions& options,
+                                  const surrogate::Model& model, const std::string& model_file) {
+  std::vector<std::string> all;
+  std::size_t outside = 0;
+  for (const Comparison& one : rebuilding.comparisons) outside += one.inside_training_range ? 0 : 1;
+  if (outside > 0)
+    all.push_back(fmt::format("{} of {} comparisons are outside the training range of {}", outside,
+                              rebuilding.comparisons.size(), model_file));
+  if (options.modes == std::vector{runtime::SignalMode::sawtooth} && !surrogate::has_moments(model))
+    all.push_back(
+        fmt::format("{} has the article's ten outputs alone: no sawtooth force can be made of it (train it on a table "
+                    "of `bitrock campaign collect`, or ask for --mode article-literal)",
+                    model_file));
+  return all;
+}
+
 }  // namespace bitrock::studies

@@ -64,6 +64,11 @@ RebuiltForce rebuilt_force(const surrogate::Model& model, runtime::SignalMode mo
 Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, const RebuildOptions& options,
                    const base::ProgressCallback& progress = {});
 
+/// What to look at in forces that were rebuilt from a model too, whose file this is: conditions it has not learnt,
+/// modes it cannot do.
+std::vector<std::string> warnings(const Rebuilding& rebuilding, const RebuildOptions& options,
+                                  const surrogate::Model& model, const std::string& model_file);
+
 /// What is asked of a rebuilt force.
 struct Bar {
   double from_own = 0.0, from_model = 0.0;  ///< the same unit as the measure

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "base/errors.hpp"
 
 namespace bitrock::surrogate {
 
@@ -34,6 +37,25 @@ std::string beyond_range_in_words(const Variable& input, double low, double high
   if (!(input.high > input.low)) return fmt::format("{} {} (trained at {:.4g} alone)", input.name, asked, input.low);
   return fmt::format("{} {} (trained {:.4g} to {:.4g}: {:.3g} % of that range {} it)", input.name, asked, input.low,
                      input.high, 100.0 * share, below > above ? "below" : "above");
+}
+
+std::string beyond_ranges_in_words(const Model& model, const std::array<double, input_count>& asked) {
+  std::string text;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const std::string one = beyond_range_in_words(model.inputs[i], asked[i], asked[i]);
+    if (!one.empty()) text += (text.empty() ? "" : "; ") + one;
+  }
+  return text;
+}
+
+void require_finite(const Prediction& prediction, double cut_length, const std::string& source) {
+  bool finite = true;
+  for (const auto& p : {prediction.x, prediction.y})
+    finite = finite && std::isfinite(p.amax + p.amean + (p.np1 + p.np23 + p.np4) * (1.0 + cut_length));
+  for (const double moment : prediction.moments) finite = finite && std::isfinite(moment);
+  if (finite) return;
+  throw base::InputError(
+      fmt::format("{}: no finite answer for these conditions (they are too far outside its training range)", source));
 }
 
 }  // namespace bitrock::surrogate

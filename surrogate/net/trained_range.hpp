@@ -1,6 +1,7 @@
 #pragma once
 /// How far questions lie outside what the networks have learnt, in words for people.
 
+#include <array>
 #include <string>
 
 #include "surrogate/net/model.hpp"
@@ -14,5 +15,13 @@ double beyond_range(const Variable& input, double low, double high);
 /// "depth_of_cut_mm 0.1 (trained 0.5 to 4: 11 % of that range below it)" for the values from `low` to `high` that were
 /// asked; empty inside.
 std::string beyond_range_in_words(const Variable& input, double low, double high);
+
+/// The same of all inputs of a model, one behind the other; empty when all are inside. `asked` has the values in the
+/// units and the order of the inputs.
+std::string beyond_ranges_in_words(const Model& model, const std::array<double, input_count>& asked);
+
+/// Throws `base::InputError` beginning with `source` when an answer, or its numbers of peaks in a cut of this length
+/// [m], are not finite.
+void require_finite(const Prediction& prediction, double cut_length, const std::string& source);
 
 }  // namespace bitrock::surrogate

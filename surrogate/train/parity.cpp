@@ -239,4 +239,21 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
   return result;
 }
 
+std::vector<std::string> warnings(const Parity& parity, const TrainingData& data, CaseNumbers numbers) {
+  std::vector<std::string> all;
+  if (!parity.same_data && numbers == CaseNumbers::as_in_training) {
+    all.push_back(
+        fmt::format("{} is not the file the model learnt from; cases of the same number are taken for the same cases "
+                    "(--unseen if they are not)",
+                    data.file));
+  }
+  if (parity.outside_training_range > 0) {
+    all.push_back(fmt::format("{} cases held out lie outside the training range: the networks extrapolate there",
+                              parity.outside_training_range));
+  }
+  if (parity.law_degrees == 0)
+    all.emplace_back("no case was cut more than once: nothing is known of the scatter of the data");
+  return all;
+}
+
 }  // namespace bitrock::surrogate

@@ -90,4 +90,8 @@ enum class CaseNumbers {
 /// Throws `base::InputError` when the model has no finite answer for a case.
 Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers = CaseNumbers::as_in_training);
 
+/// What to think of when reading the comparison with these data: cases that may be others, cases outside the training
+/// range, no scatter.
+std::vector<std::string> warnings(const Parity& parity, const TrainingData& data, CaseNumbers numbers);
+
 }  // namespace bitrock::surrogate

@@ -43,6 +43,15 @@ bool fresh_within(const studies::CalibrationTarget& target, const studies::Fresh
 
 }  // namespace
 
+nlohmann::json plan_json(const studies::CalibrationTarget& target, const studies::CalibrationCost& cost, int cores) {
+  return {{"discs", std::llround(cost.discs)},
+          {"seeds", target.settings.seeds},
+          {"scouting_seeds", target.settings.scouting_seeds},
+          {"most_evaluations", target.settings.most_evaluations},
+          {"core_seconds_per_specimen", cost.core_seconds_per_specimen},
+          {"expected_minutes", studies::expected_minutes(cost, cores)}};
+}
+
 nlohmann::json calibration_json(const studies::CalibrationTarget& target, const studies::Calibration& calibration,
                                 const std::optional<studies::FreshSpecimens>& fresh) {
   nlohmann::json wanted, evaluations = nlohmann::json::array();

@@ -1,5 +1,7 @@
 #include "views/json/cut_json.hpp"
 
+#include "dem2d/step/cost.hpp"
+
 namespace bitrock::views {
 
 nlohmann::json as_json(const peaks::PeakStatistics& s) {
@@ -27,6 +29,17 @@ nlohmann::json as_json(const dem2d::CutRun& run) {
           {"ns_per_disc_step", run.nanoseconds_per_disc_step},
           {"features",
            {{"x", as_json(peaks::peak_statistics(run.force_x))}, {"y", as_json(peaks::peak_statistics(run.force_y))}}}};
+}
+
+nlohmann::json plan_json(const dem2d::Specimen& bed, double critical_step, const dem2d::CutSchedule& plan) {
+  const double steps = static_cast<double>(plan.steps());
+  return {{"discs", bed.x.size()},
+          {"joints", bed.disc1.size()},
+          {"critical_step_s", critical_step},
+          {"step_s", plan.step},
+          {"steps", steps},
+          {"duration_s", steps * plan.step},
+          {"expected_minutes", dem2d::expected_core_seconds(steps, static_cast<double>(bed.x.size())) / 60.0}};
 }
 
 }  // namespace bitrock::views

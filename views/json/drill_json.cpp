@@ -1,5 +1,7 @@
 #include "views/json/drill_json.hpp"
 
+#include <cmath>
+
 #include "base/units.hpp"
 #include "views/json/bit_json.hpp"
 
@@ -14,6 +16,21 @@ nlohmann::json spread_json(const runtime::Spread& spread, double unit) {
           {"sd", spread.deviation / unit},
           {"min", spread.lowest / unit},
           {"max", spread.highest / unit}};
+}
+
+nlohmann::json forms_json(const std::optional<runtime::ClosedForms>& forms) {
+  if (!forms)
+    return {{"axial_continuous_Hz", nullptr}, {"torsional_continuous_Hz", nullptr}, {"equal_lumps_Hz", nullptr}};
+  return {{"axial_continuous_Hz", forms->axial_continuous},
+          {"torsional_continuous_Hz", forms->torsional_continuous},
+          {"equal_lumps_Hz", forms->equal_lumps}};
+}
+
+nlohmann::json steady_json(const std::optional<runtime::Steadiness>& steady) {
+  if (!steady) return nullptr;
+  return {{"equivalent_damping_N_m_s_per_rad", steady->damping},
+          {"friction_demand_N_m_s_per_rad", steady->demand},
+          {"stable", steady->demand < steady->damping}};
 }
 
 }  // namespace
@@ -39,19 +56,39 @@ nlohmann::json as_json(const runtime::DrillSummary& s) {
           {"windows", as_json(s.draws)}};
 }
 
-nlohmann::json as_json(const std::optional<runtime::ClosedForms>& forms) {
-  if (!forms)
-    return {{"axial_continuous_Hz", nullptr}, {"torsional_continuous_Hz", nullptr}, {"equal_lumps_Hz", nullptr}};
-  return {{"axial_continuous_Hz", forms->axial_continuous},
-          {"torsional_continuous_Hz", forms->torsional_continuous},
-          {"equal_lumps_Hz", forms->equal_lumps}};
+nlohmann::json as_json(const runtime::DrillCase& drill, const runtime::DrillRun& run) {
+  return {{"summary", as_json(run.summary)},
+          {"step_s", run.step},
+          {"steps", run.steps},
+          {"duration_s", drill.run.duration},
+          {"wall_s", run.wall_time},
+          {"times_real_time", drill.run.duration / run.wall_time}};
 }
 
-nlohmann::json as_json(const std::optional<runtime::Steadiness>& steady) {
-  if (!steady) return nullptr;
-  return {{"equivalent_damping_N_m_s_per_rad", steady->damping},
-          {"friction_demand_N_m_s_per_rad", steady->demand},
-          {"stable", steady->demand < steady->damping}};
+nlohmann::json as_json(const studies::StringOutlook& outlook) {
+  return {{"axial_Hz", outlook.modes.axial},
+          {"axial_off_bottom_Hz", outlook.modes.axial_off_bottom},
+          {"torsional_Hz", outlook.modes.torsional},
+          {"closed_forms", forms_json(outlook.forms)},
+          {"steady_rotation", steady_json(outlook.steady)},
+          {"longest_stable_step_s", outlook.longest_stable_step}};
+}
+
+nlohmann::json as_json(const runtime::DrillCase& drill, const studies::DrillPlan& plan) {
+  return {{"static_weight_on_bit_N", plan.static_weight},
+          {"step_s", plan.step},
+          {"longest_stable_step_s", plan.longest_stable_step},
+          {"steps", plan.steps},
+          {"rows", std::floor(drill.run.duration / drill.run.sample) + 1.0}};
+}
+
+nlohmann::json as_json(const studies::MapTally& seen, std::size_t runs, double wall_time) {
+  return {{"runs", runs},
+          {"steady", seen.steady},
+          {"stick_slip", seen.stick_slip},
+          {"bit_bounce", seen.bit_bounce},
+          {"failed", seen.failed},
+          {"wall_s", wall_time}};
 }
 
 nlohmann::json as_json(const studies::ComparedRuns& runs) {

@@ -2,21 +2,26 @@
 /// Drill runs as JSON (docs/reference/formats.md).
 
 #include <nlohmann/json.hpp>
-#include <optional>
 
-#include "runtime/drillstring/closed_forms.hpp"
-#include "runtime/drillstring/steadiness.hpp"
 #include "studies/drill/comparison.hpp"
+#include "studies/drill/drill_map.hpp"
+#include "studies/drill/plan.hpp"
 
 namespace bitrock::views {
 
 nlohmann::json as_json(const runtime::DrillSummary& summary);
 
-/// Natural frequencies of the pipe alone; each null where there are none.
-nlohmann::json as_json(const std::optional<runtime::ClosedForms>& forms);
+/// A run: its summary, its steps, and what it took.
+nlohmann::json as_json(const runtime::DrillCase& drill, const runtime::DrillRun& run);
 
-/// Whether small vibrations about steady rotation die; null where that is not asked.
-nlohmann::json as_json(const std::optional<runtime::Steadiness>& steady);
+/// Natural frequencies; those of the pipe alone and the steadiness are null where they are not known.
+nlohmann::json as_json(const studies::StringOutlook& outlook);
+
+/// What a run of the case will be.
+nlohmann::json as_json(const runtime::DrillCase& drill, const studies::DrillPlan& plan);
+
+/// What a map of so many runs shows, and the time it took [s].
+nlohmann::json as_json(const studies::MapTally& seen, std::size_t runs, double wall_time);
 
 /// Each run of each source: its summary and what was seen.
 nlohmann::json as_json(const studies::ComparedRuns& runs);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "dem2d/lab/loading_rate.hpp"
+
 namespace bitrock::views {
 
 namespace {
@@ -46,6 +48,14 @@ nlohmann::json rate_json(const studies::LabResults& results) {
 }
 
 }  // namespace
+
+nlohmann::json as_json(const studies::LabSeries& series, const studies::LabCost& cost) {
+  return {{"specimens", series.seeds.size()},
+          {"discs", std::llround(cost.discs)},
+          {"strain_rate_per_s", series.settings.strain_rate},
+          {"expected_strength_Pa", dem2d::expected_strength(series.test, series.rock)},
+          {"expected_minutes", cost.core_seconds / 60.0}};
+}
 
 nlohmann::json as_json(const studies::LabSeries& series, const studies::LabResults& results) {
   nlohmann::json json{{"test", dem2d::name_of(series.test)},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dem2d/step/cost.hpp"
 #include "peaks/statistics.hpp"
 
 namespace bitrock::views {
@@ -28,6 +29,15 @@ std::string peaks_line(const char* axis, const std::vector<double>& force) {
 }
 
 }  // namespace
+
+std::string plan_line(const dem2d::Specimen& bed, double critical_step, const dem2d::CutSchedule& plan) {
+  const double steps = static_cast<double>(plan.steps());
+  return fmt::format(
+      "discs {}, joints {}, critical step {:.3g} s, step {:.3g} s, steps {:.0f}, samples {}, duration {:.4g} s, about "
+      "{:.2g} minutes on one core\n",
+      bed.x.size(), bed.disc1.size(), critical_step, plan.step, steps, plan.samples, steps * plan.step,
+      dem2d::expected_core_seconds(steps, static_cast<double>(bed.x.size())) / 60.0);
+}
 
 std::string cut_lines(const dem2d::CutRun& run) {
   return fmt::format(

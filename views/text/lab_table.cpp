@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/statistics.hpp"
+#include "dem2d/lab/loading_rate.hpp"
 
 namespace bitrock::views {
 
@@ -23,6 +24,16 @@ std::string row(const std::string& name, double strength, double modulus, double
 }
 
 }  // namespace
+
+std::string plan_line(const studies::LabSeries& series, const studies::LabCost& cost) {
+  const dem2d::LabBox box = dem2d::specimen_box(series.test, series.settings);
+  return fmt::format(
+      "{} {} tests of {:.4g} x {:.4g} mm, about {:.0f} discs each; strain rate {:.3g} /s, strength expected after "
+      "{:.3g} s (about {:.2g} MPa); about {:.2g} minutes on one core, without packing\n",
+      series.seeds.size(), dem2d::name_of(series.test), box.width * 1e3, box.height * 1e3, cost.discs,
+      series.settings.strain_rate, cost.duration, dem2d::expected_strength(series.test, series.rock) * 1e-6,
+      cost.core_seconds / 60.0);
+}
 
 std::string lab_table(const studies::LabResults& results) {
   if (results.runs.empty()) return "";

@@ -7,6 +7,9 @@
 
 namespace bitrock::views {
 
+/// What the tests will be and cost (`lab --check`).
+std::string plan_line(const studies::LabSeries& series, const studies::LabCost& cost);
+
 /// The numbers of each test, and their mean and scatter; empty when no test is finished.
 std::string lab_table(const studies::LabResults& results);
 

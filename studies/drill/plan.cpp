@@ -1,0 +1,22 @@
+#include "studies/drill/plan.hpp"
+
+#include "runtime/drillstring/drill_run.hpp"
+
+namespace bitrock::studies {
+
+StringOutlook outlook(const runtime::DrillCase& drill, const runtime::DrillString& string) {
+  return {.modes = runtime::drill_modes(string),
+          .forms = runtime::closed_forms(drill),
+          .steady = runtime::steadiness(string),
+          .longest_stable_step = runtime::longest_stable_step(string)};
+}
+
+DrillPlan plan(const runtime::DrillCase& drill, const runtime::DrillString& string) {
+  const double step = runtime::step_of(drill.run);
+  return {.static_weight = runtime::static_weight_on_bit(string),
+          .step = step,
+          .longest_stable_step = runtime::longest_stable_step(string),
+          .steps = drill.run.duration / step};
+}
+
+}  // namespace bitrock::studies

@@ -1,0 +1,30 @@
+#pragma once
+/// What is known of a drill string and of a run of it before it runs.
+
+#include <optional>
+
+#include "runtime/drillstring/closed_forms.hpp"
+#include "runtime/drillstring/drill_case.hpp"
+#include "runtime/drillstring/steadiness.hpp"
+
+namespace bitrock::studies {
+
+/// What follows from the parts of the string alone.
+struct StringOutlook {
+  runtime::DrillModes modes;                  ///< natural frequencies
+  std::optional<runtime::ClosedForms> forms;  ///< of the pipe alone; none for a string of several
+  std::optional<runtime::Steadiness> steady;  ///< as it is driven; none where that is not known
+  double longest_stable_step = 0.0;           ///< [s]
+};
+StringOutlook outlook(const runtime::DrillCase& drill, const runtime::DrillString& string);
+
+/// What a run will be.
+struct DrillPlan {
+  double static_weight = 0.0;        ///< on the bit [N]
+  double step = 0.0;                 ///< that is run [s]
+  double longest_stable_step = 0.0;  ///< [s]
+  double steps = 0.0;                ///< in all
+};
+DrillPlan plan(const runtime::DrillCase& drill, const runtime::DrillString& string);
+
+}  // namespace bitrock::studies
