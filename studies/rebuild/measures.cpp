@@ -54,8 +54,9 @@ std::vector<Measure> measures(const Rebuilding& rebuilding, bool from_model, run
        {std::pair{'x', &Likeness::x}, std::pair<char, ComponentLikeness Likeness::*>{'y', &Likeness::y}}) {
     const auto add = [&, of = of, component = component](const char* name, const Bars& bars,
                                                          double ComponentLikeness::*ratio) {
-      std::vector<double> off;
-      for (const Comparison* one : chosen) off.push_back(100.0 * ((one->likeness.*of).*ratio - 1.0));
+      std::vector<double> off(chosen.size());
+      std::transform(chosen.begin(), chosen.end(), off.begin(),
+                     [&](const Comparison* one) { return 100.0 * ((one->likeness.*of).*ratio - 1.0); });
       all.push_back(measure(name, "%", component, bars, from_model, off));
     };
     add("mean", mean_bars, &ComponentLikeness::mean_ratio);
@@ -69,8 +70,9 @@ std::vector<Measure> measures(const Rebuilding& rebuilding, bool from_model, run
     }
     all.push_back(measure("octaves", "dB", component, octave_bars, from_model, octaves));
   }
-  std::vector<double> off;
-  for (const Comparison* one : chosen) off.push_back(one->likeness.xy_correlation - one->likeness.xy_correlation_dem);
+  std::vector<double> off(chosen.size());
+  std::transform(chosen.begin(), chosen.end(), off.begin(),
+                 [](const Comparison* one) { return one->likeness.xy_correlation - one->likeness.xy_correlation_dem; });
   all.push_back(measure("correlation of x and y", "1", 'b', correlation_bars, from_model, off));
   return all;
 }

@@ -121,9 +121,9 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
                    const base::ProgressCallback& progress) {
   Rebuilding all{.known = {}, .dem = {}, .comparisons = {}, .left_out = {}};
   for (KnownCase& one : known) {
-    Portrait dem = portrait_of(one, peaks::converging(one.mean_diameter));
+    const Portrait dem = portrait_of(one, peaks::converging(one.mean_diameter));
     if (has_a_force(dem)) {
-      all.dem.push_back(std::move(dem));
+      all.dem.push_back(dem);
       all.known.push_back(std::move(one));
     } else {
       all.left_out.push_back(fmt::format(
@@ -151,14 +151,13 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
         comparison.rebuilt = portrait_of(force, samples_of(one), definition);
         comparison.likeness = compare(all.dem[i], comparison.rebuilt);
         comparison.inside_training_range = predict(*from, conditions).inside_training_range;
-        of_case[i].push_back(std::move(comparison));
+        of_case[i].push_back(comparison);
       }
     }
     shared.set(i, 1.0);
   });
-  for (std::vector<Comparison>& list : of_case) {
-    for (Comparison& one : list) all.comparisons.push_back(std::move(one));
-  }
+  for (const std::vector<Comparison>& list : of_case)
+    all.comparisons.insert(all.comparisons.end(), list.begin(), list.end());
   return all;
 }
 

@@ -117,19 +117,20 @@ std::vector<report::Plot> parity_plots(const studies::Rebuilding& rebuilding, bo
                       .y_label = std::string("rebuilt: ") + quantity.label,
                       .equal_axes = true,
                       .square = true};
-    report::Series x{.name = "F_x", .x = {}, .y = {}, .style = report::Style::markers}, y = x;
-    y.name = "F_y";
-    y.marker = report::Marker::diamond;
+    plot.series = {
+        {.name = "F_x", .x = {}, .y = {}, .style = report::Style::markers},
+        {.name = "F_y", .x = {}, .y = {}, .style = report::Style::markers, .marker = report::Marker::diamond}};
     double largest = 0.0;
     for (const studies::Comparison& one : rebuilding.comparisons) {
       if (one.from_model != from_model || one.mode != mode) continue;
       const studies::Portrait& dem = rebuilding.dem[one.known];
       const std::string label = conditions_in_words(rebuilding.known[one.known]);
-      for (const auto& [series, of] : {std::pair{&x, &studies::Portrait::x}, {&y, &studies::Portrait::y}}) {
-        series->x.push_back(quantity.of(dem.*of) / quantity.unit);
-        series->y.push_back(quantity.of(one.rebuilt.*of) / quantity.unit);
-        series->labels.push_back(label);
-        largest = std::max({largest, series->x.back(), series->y.back()});
+      for (const auto& [place, of] : {std::pair{0, &studies::Portrait::x}, {1, &studies::Portrait::y}}) {
+        report::Series& series = plot.series[static_cast<std::size_t>(place)];
+        series.x.push_back(quantity.of(dem.*of) / quantity.unit);
+        series.y.push_back(quantity.of(one.rebuilt.*of) / quantity.unit);
+        series.labels.push_back(label);
+        largest = std::max({largest, series.x.back(), series.y.back()});
       }
     }
     plot.series.push_back({.name = "equal",
@@ -137,8 +138,6 @@ std::vector<report::Plot> parity_plots(const studies::Rebuilding& rebuilding, bo
                            .y = {0.0, 1.05 * largest},
                            .style = report::Style::line,
                            .colour = report::Colour::grey});
-    plot.series.push_back(std::move(x));
-    plot.series.push_back(std::move(y));
     plots.push_back(std::move(plot));
   }
   return plots;
