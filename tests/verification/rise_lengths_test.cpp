@@ -49,8 +49,9 @@ double over_w(const Function& function) {
 
 double autocorrelation(const runtime::RiseLengths& law, double lag) {
   const auto at = [&law](double distance) {
-    return over_w(
-        [&](double w) { return product(law.least + law.scale * runtime::unit_rise(law.exponent, w), law.drop, distance); });
+    return over_w([&](double w) {
+      return product(law.least + law.scale * runtime::unit_rise(law.exponent, w), law.drop, distance);
+    });
   };
   return at(lag) / at(0.0);
 }
@@ -62,7 +63,8 @@ TEST(RiseLengths, TheTrainHasTheLengthsAskedFor) {
     EXPECT_FALSE(law.clamped);
     EXPECT_NEAR(autocorrelation(law, usual), 1.0 / std::numbers::e, 6e-3) << ratio;
     EXPECT_NEAR(autocorrelation(law, ratio * usual), 0.75, 6e-3) << ratio;
-    const double mean = over_w([&law](double w) { return law.least + law.scale * runtime::unit_rise(law.exponent, w); });
+    const double mean =
+        over_w([&law](double w) { return law.least + law.scale * runtime::unit_rise(law.exponent, w); });
     EXPECT_NEAR(law.mean, mean, 1e-5 * mean) << ratio;
   }
 }
