@@ -6,7 +6,7 @@ set -eu
 python=$1
 source=$2
 [ -n "$python" ] || { echo "skipped: no Python (see BITROCK_PYTHON)"; exit 77; }
-"$python" -c 'import pip, setuptools, wheel, numpy' 2>/dev/null ||
+"$python" -c 'import setuptools, pip, wheel, numpy' 2>/dev/null ||
   { echo "skipped: needs python3-pip, python3-setuptools, python3-wheel, python3-numpy"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
