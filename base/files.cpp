@@ -82,7 +82,7 @@ void refuse_disk_and_socket(const std::filesystem::path& path) {
 std::filesystem::path behind_link(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_symlink(path, error)) return path;
-  const auto target = std::filesystem::weakly_canonical(path, error);
+  auto target = std::filesystem::weakly_canonical(path, error);
   if (error) throw InputError(fmt::format("cannot write {}: its links lead in circles", path.string()));
   return target;
 }
@@ -174,6 +174,19 @@ std::string read_whole(const std::filesystem::path& path) {
 bool is_there(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::status(path, ignored).type() != std::filesystem::file_type::not_found;
+}
+
+std::vector<std::filesystem::path> files_with_ending(const std::filesystem::path& folder, const std::string& ending) {
+  std::vector<std::filesystem::path> files;
+  std::error_code failed;
+  if (!std::filesystem::is_directory(folder, failed)) return files;
+  for (std::filesystem::directory_iterator entry(folder, failed), end; !failed && entry != end;
+       entry.increment(failed)) {
+    if (entry->path().extension() == ending) files.push_back(entry->path());
+  }
+  if (failed) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failed.message()));
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 PartFile::PartFile(const std::filesystem::path& path) : path_(path), target_(behind_link(path)) {

@@ -17,6 +17,10 @@ std::string read_whole(const std::filesystem::path& path);
 /// Whether something has this name, good or not: a loop of links is something, so that reading it says what is wrong.
 bool is_there(const std::filesystem::path& path);
 
+/// The files of a folder whose names end so (".h5"), by name; none where there is no folder. Throws `InputError` when
+/// it cannot be read.
+std::vector<std::filesystem::path> files_with_ending(const std::filesystem::path& folder, const std::string& ending);
+
 /// A file under construction beside the one it will become, under a name of its own that was free. It is removed with
 /// the object, unless it has been put in its place.
 class PartFile {

@@ -30,9 +30,10 @@ void run(const Options& options) {
   const double cut_length = options.cut_length_mm * base::mm;
   surrogate::require_finite(prediction, cut_length, options.model_file);
   if (!prediction.inside_training_range) {
-    const std::string what =
-        "outside the training range: " +
-        surrogate::beyond_ranges_in_words(model, {options.speed, options.depth_mm, options.rake_deg});
+    const std::string what = "outside the training range: " +
+                             surrogate::beyond_ranges_in_words(model, {{{options.speed, options.speed},
+                                                                        {options.depth_mm, options.depth_mm},
+                                                                        {options.rake_deg, options.rake_deg}}});
     if (options.strict) throw base::InputError(what);
     warn(options.common, what + "; this is an extrapolation");
   }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "base/errors.hpp"
@@ -18,22 +17,9 @@ namespace bitrock::views {
 
 namespace {
 
-/// The HDF5 files of a folder, by name; none where there is no folder.
-std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  std::error_code no_folder;
-  if (std::filesystem::is_directory(folder, no_folder)) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      if (entry.path().extension() == ".h5") files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 std::vector<dem2d::RunFile> read_runs(const std::filesystem::path& folder) {
   std::vector<dem2d::RunFile> runs;
-  for (const auto& file : results_in(folder)) runs.push_back(dem2d::read_run(file));
+  for (const auto& file : base::files_with_ending(folder, ".h5")) runs.push_back(dem2d::read_run(file));
   return runs;
 }
 
@@ -58,31 +44,29 @@ void add_earlier_networks(report::Page& page, const std::filesystem::path& file,
              "Cuts not seen");
 }
 
-void add_networks(report::Page& page, const CampaignFiles& files) {
+/// `model`: the networks of the folder, or null.
+void add_networks(report::Page& page, const CampaignFiles& files, const surrogate::Model* model) {
   std::optional<surrogate::TrainingData> data;
   if (base::is_there(files.data)) data = surrogate::read_training_data(files.data);
   if (base::is_there(files.earlier_model)) add_earlier_networks(page, files.earlier_model, data);
-  if (!base::is_there(files.model)) return;
-  const surrogate::Model model = surrogate::read_model(files.model);
+  if (model == nullptr) return;
   page.section("Learning",
                fmt::format("Ten small networks, one for each statistic of each force: speed, depth and rake in, "
                            "one number out. They learnt from {}. Peak counts are per metre of cut.",
-                           model.provenance.data_file));
-  add_learning_curves(page, model);
+                           model->provenance.data_file));
+  add_learning_curves(page, *model);
   if (!data) return;
   page.section("Network against DEM");
-  add_parity(page, model, surrogate::parity(model, *data));
+  add_parity(page, *model, surrogate::parity(*model, *data));
 }
 
 /// Enough for a page; `bitrock rebuild` takes more.
 constexpr int draws_for_a_page = 32;
 
-void add_rebuilt_forces(report::Page& page, const CampaignFiles& files, int jobs,
+void add_rebuilt_forces(report::Page& page, const CampaignFiles& files, const surrogate::Model* model, int jobs,
                         const base::ProgressCallback& progress) {
   if (!base::is_there(files.forces)) return;
-  std::optional<surrogate::Model> model;
-  if (base::is_there(files.model)) model = surrogate::read_model(files.model);
-  const surrogate::Model* const networks = model && surrogate::has_moments(*model) ? &*model : nullptr;
+  const surrogate::Model* const networks = model != nullptr && surrogate::has_moments(*model) ? model : nullptr;
   const studies::RebuildOptions options{.draws = draws_for_a_page, .jobs = jobs};
   const studies::Rebuilding found =
       studies::rebuild(studies::read_known_cuts(files.forces), networks, options, progress);
@@ -120,7 +104,7 @@ CampaignFiles campaign_files(const std::filesystem::path& folder) {
 report::Page campaign_page(const std::filesystem::path& folder, int jobs, const base::ProgressCallback& progress) {
   const CampaignFiles files = campaign_files(folder);
   const std::vector<dem2d::RunFile> runs = read_runs(files.runs);
-  const std::vector<std::filesystem::path> drill_runs = results_in(files.drill);
+  const std::vector<std::filesystem::path> drill_runs = base::files_with_ending(files.drill, ".h5");
   if (runs.empty() && drill_runs.empty() && !base::is_there(files.model) && !base::is_there(files.earlier_model) &&
       !base::is_there(files.bit_force) && !base::is_there(files.forces)) {
     throw base::InputError(
@@ -130,18 +114,20 @@ report::Page campaign_page(const std::filesystem::path& folder, int jobs, const 
   }
   report::Page page("From lab rock to bit force", runs.empty() ? std::string() : runs.front().cut.rock.name);
   if (!runs.empty()) add_cut_chapters(page, runs);
-  add_networks(page, files);
-  add_rebuilt_forces(page, files, jobs, progress);
+  std::optional<surrogate::Model> model;
+  if (base::is_there(files.model)) model = surrogate::read_model(files.model);
+  const surrogate::Model* const networks = model ? &*model : nullptr;
+  add_networks(page, files, networks);
+  add_rebuilt_forces(page, files, networks, jobs, progress);
   if (base::is_there(files.bit_force)) {
     page.section(
         "The whole bit",
         "Every cutter rebuilds its own force history from what the networks say, with its own random numbers; the bit "
-        "is "
-        "their sum. Positive force pushes the bit off the rock, positive torque resists its rotation. These are sharp "
+        "is their sum. Positive force pushes the bit off the rock, positive torque resists its rotation. These are "
+        "sharp "
         "cutters in the simulated rock, without friction under worn ones: not the load of a field bit. Where the "
         "networks do not know the mean force (mode article-literal), the rebuilt mean is half of A_mean times the "
-        "pulse "
-        "width factor, which is not the mean force of the simulated cuts.");
+        "pulse width factor, which is not the mean force of the simulated cuts.");
     add_bit_force(page, files.bit_force, files.bit_force_json);
   }
   add_drill_runs(page, drill_runs);

@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "runtime/core/conditions.hpp"
-#include "surrogate/net/trained_range.hpp"
 
 namespace bitrock::runtime {
 
-std::array<AskedRange, surrogate::input_count> asked_ranges(const Bit& bit, double rotation,
-                                                            double rate_of_penetration) {
-  std::array<AskedRange, surrogate::input_count> ranges;
+surrogate::AskedRanges asked_ranges(const Bit& bit, double rotation, double rate_of_penetration) {
+  surrogate::AskedRanges ranges;
   bool first = true;
   for (const Cutter& cutter : bit.cutters) {
     const surrogate::CutConditions asked =
@@ -26,18 +24,12 @@ std::array<AskedRange, surrogate::input_count> asked_ranges(const Bit& bit, doub
 }
 
 std::string asked_outside(const Bit& bit, const surrogate::Model& model, double rotation, double rate_of_penetration) {
-  const auto asked = asked_ranges(bit, rotation, rate_of_penetration);
-  std::string text;
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    const std::string one = surrogate::beyond_range_in_words(model.inputs[i], asked[i].low, asked[i].high);
-    if (!one.empty()) text += (text.empty() ? "" : "; ") + one;
-  }
-  return text;
+  return surrogate::beyond_ranges_in_words(model, asked_ranges(bit, rotation, rate_of_penetration));
 }
 
 std::string rakes_outside(const Bit& bit, const surrogate::Model& model) {
   constexpr std::size_t rake = 2;
-  const AskedRange asked = asked_ranges(bit, slowest_rotation, 0.0)[rake];
+  const surrogate::AskedRange asked = asked_ranges(bit, slowest_rotation, 0.0)[rake];
   return surrogate::beyond_range_in_words(model.inputs[rake], asked.low, asked.high);
 }
 

@@ -1,22 +1,16 @@
 #pragma once
 /// What the cutters of a bit ask of the networks while it turns and drills steadily, against what these have learnt.
 
-#include <array>
 #include <string>
 
 #include "runtime/bit/bit.hpp"
-#include "surrogate/net/model.hpp"
+#include "surrogate/net/trained_range.hpp"
 
 namespace bitrock::runtime {
 
-/// Lowest and highest of one input over the cutters, in the unit of the model.
-struct AskedRange {
-  double low = 0.0, high = 0.0;  ///< in the unit of the input
-};
-
-/// In the order of the model's inputs. `rotation` [rad/s], `rate_of_penetration` [m/s]; a bit with at least one cutter.
-std::array<AskedRange, surrogate::input_count> asked_ranges(const Bit& bit, double rotation,
-                                                            double rate_of_penetration);
+/// Lowest and highest over the cutters. `rotation` [rad/s], `rate_of_penetration` [m/s]; a bit with at least one
+/// cutter.
+surrogate::AskedRanges asked_ranges(const Bit& bit, double rotation, double rate_of_penetration);
 
 /// Every input that is asked outside its range, and by how much; empty when none is.
 std::string asked_outside(const Bit& bit, const surrogate::Model& model, double rotation, double rate_of_penetration);

@@ -102,8 +102,10 @@ BITROCK_INTO_BOTH void move_to_next_window(PulseBlock& block, double window_angl
   block.fall_from += block.fall * window_angle;
 }
 
-bool at_pulse(const SawtoothCutter& cutter) {
-  return cutter.lane < 4 && cutter.four[cutter.now].begin[cutter.lane] < cutter.draw.end;
+/// Where the next pulse of the cell begins; infinite when there is none.
+double next_begin(const SawtoothCutter& cutter) {
+  const DrawnPulses& four = cutter.four[cutter.now];
+  return cutter.lane < 4 && four.begin[cutter.lane] < cutter.draw.end ? four.begin[cutter.lane] : infinity;
 }
 
 /// The next pulse is the first of the other four; those that come then are drawn now, so that nothing waits for them.
@@ -111,27 +113,26 @@ void take_next_four(SawtoothCutter& cutter, const SawtoothLaw& law) {
   draw_four(law, cutter.weights, cutter.wide, cutter.draw, cutter.four[cutter.now]);
   cutter.now = 1 - cutter.now;
   cutter.lane = 0;
-  cutter.undrawn -= 4;
 }
 
 /// Goes on to the next pulse.
 void step(SawtoothCutter& cutter, const SawtoothLaw& law) {
   ++cutter.lane;
-  if (cutter.lane == 4 && cutter.undrawn > 0) take_next_four(cutter, law);
+  if (cutter.lane == 4 && cutter.draw.drawn < most_in_cell + 4) take_next_four(cutter, law);
 }
 
 /// Where the next pulse is, or the end of the cell; the last cell of a window does not end.
 void look(SawtoothCutter& cutter, const SawtoothLaw& law) {
   const bool last_cell = cutter.draw.cell + 1 == law.cells;
-  cutter.next = at_pulse(cutter) ? cutter.four[cutter.now].begin[cutter.lane] : last_cell ? infinity : cutter.draw.end;
+  const double begin = next_begin(cutter);
+  cutter.next = begin < infinity || last_cell ? begin : cutter.draw.end;
 }
 
 void start_cell(SawtoothCutter& cutter, std::int64_t window, std::int64_t cell) {
   const SawtoothLaw& law = cutter.laws[place_of(window)];
   cutter.draw = cell_draw(law, window_word(cutter.seed, cutter.number, window), cell);
   cutter.lane = 4;
-  cutter.undrawn = law.density > 0.0 ? most_in_cell : 0;
-  if (cutter.undrawn > 0) {
+  if (law.density > 0.0) {
     draw_four(law, cutter.weights, cutter.wide, cutter.draw, cutter.four[1 - cutter.now]);
     take_next_four(cutter, law);
   }
@@ -142,8 +143,7 @@ void start_cell(SawtoothCutter& cutter, std::int64_t window, std::int64_t cell) 
 void go_on(Gathering& all, SawtoothCutter& cutter, std::int64_t window, double angle) {
   const SawtoothLaw& law = cutter.laws[place_of(window)];
   while (cutter.next <= angle) {
-    for (; at_pulse(cutter) && cutter.four[cutter.now].begin[cutter.lane] <= angle; step(cutter, law))
-      add(all, cutter.four[cutter.now].pulses, cutter.lane);
+    for (; next_begin(cutter) <= angle; step(cutter, law)) add(all, cutter.four[cutter.now].pulses, cutter.lane);
     look(cutter, law);
     if (cutter.next <= angle) start_cell(cutter, window, cutter.draw.cell + 1);
   }
@@ -153,7 +153,7 @@ void go_on(Gathering& all, SawtoothCutter& cutter, std::int64_t window, double a
 void add_felt(Gathering& all, SawtoothCutter& cutter, std::int64_t window, std::int64_t cell, double angle) {
   const SawtoothLaw& law = cutter.laws[place_of(window)];
   start_cell(cutter, window, cell);
-  for (; at_pulse(cutter) && cutter.four[cutter.now].begin[cutter.lane] <= angle; step(cutter, law)) {
+  for (; next_begin(cutter) <= angle; step(cutter, law)) {
     if (!is_over(cutter.four[cutter.now].pulses, cutter.lane, angle))
       add(all, cutter.four[cutter.now].pulses, cutter.lane);
   }
@@ -170,8 +170,6 @@ double ahead(std::span<const SawtoothCutter> cutters, std::int64_t window) {
 /// All pulses felt at an angle, from nothing.
 void begin_anew(Gathering& all, std::span<SawtoothCutter> cutters, std::int64_t window, double angle) {
   all.felt = {.window = window, .from = angle, .last = angle, .ahead = ahead(cutters, window)};
-  all.first = 0;
-  all.over = 0;
   for (SawtoothCutter& cutter : cutters) {
     const SawtoothLaw& before = cutter.laws[place_of(window - 1)];
     add_felt(all, cutter, window - 1, before.cells - 1, angle + all.window_angle);
@@ -219,20 +217,19 @@ void shorten(FeltPulses& felt, const PulseBlock* blocks) {
 
 void follow(FeltPulses& felt, PulseBlock* blocks, std::span<SawtoothCutter> cutters, double window_angle,
             std::int64_t window, double angle) {
-  const bool wide = cutters.front().wide;
   Gathering all{.felt = felt,
                 .blocks = blocks,
                 .most = most_felt_blocks(cutters.size()),
                 .window_angle = window_angle,
-                .wide = wide,
-                .over = over_word(felt, blocks, 0, wide)};
+                .wide = cutters.front().wide};
   if (!is_near(felt, cutters, window, angle, window_angle)) {
     begin_anew(all, cutters, window, angle);
   } else {
+    all.over = over_word(felt, blocks, 0, all.wide);
     if (felt.window != window) next_window(all, cutters);
     felt.from = std::max(felt.from, felt.last);
   }
-  felt.until = std::min(angle + felt.ahead, std::numeric_limits<double>::max());
+  felt.until = angle + felt.ahead;
   for (SawtoothCutter& cutter : cutters) go_on(all, cutter, window, felt.until);
   shorten(felt, blocks);
 }

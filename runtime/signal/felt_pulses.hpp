@@ -16,14 +16,13 @@ namespace bitrock::runtime {
 
 /// A cutter, and where its next pulse is.
 struct alignas(16) SawtoothCutter {
-  double next = 0.0;         ///< [rad] where its next pulse or cell begins, from the beginning of the window
-  std::uint64_t seed = 0;    ///< of all draws
-  int number = 0;            ///< on the bit, part of the address of every draw
-  bool wide = false;         ///< vectors that the machine has
-  std::size_t now = 0;       ///< of the two fours
-  std::size_t lane = 0;      ///< of the next pulse, in this four
-  std::int64_t undrawn = 0;  ///< pulses that may follow this four
-  LoadWeights weights;       ///< of its force in the load on the bit
+  double next = 0.0;       ///< [rad] where its next pulse or cell begins, from the beginning of the window
+  std::uint64_t seed = 0;  ///< of all draws
+  int number = 0;          ///< on the bit, part of the address of every draw
+  bool wide = false;       ///< vectors that the machine has
+  std::size_t now = 0;     ///< of the two fours
+  std::size_t lane = 0;    ///< of the next pulse, in this four
+  LoadWeights weights;     ///< of its force in the load on the bit
   std::array<SawtoothLaw, windows_kept> laws{};
   CellDraw draw;                      ///< the cell it is in
   std::array<DrawnPulses, 2> four{};  ///< the next pulses, and those that come then

@@ -40,7 +40,7 @@ inline constexpr std::int64_t most_in_cell = 1024;
 struct CellDraw {
   std::uint64_t window_word = 0;  ///< of `window_word`
   std::int64_t cell = 0;          ///< of the window
-  std::int64_t drawn = 0;         ///< pulses so far
+  std::int64_t drawn = 0;         ///< pulses so far; four more than `most_in_cell` where they are drawn ahead
   double end = 0.0;               ///< [rad] of the cell, from the beginning of the window
   double last = 0.0;              ///< [rad] beginning of the pulse drawn last
 };

@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "base/errors.hpp"
-#include "base/hdf5_file.hpp"
+#include "base/files.hpp"
+#include "base/units.hpp"
 #include "dem2d/files/run_file.hpp"
 #include "dem2d/specimen/grading.hpp"
 
@@ -32,10 +33,6 @@ bool same_conditions(const FeatureRow& a, const FeatureRow& b) {
   return a.cutter_speed == b.cutter_speed && a.depth_of_cut == b.depth_of_cut && a.back_rake == b.back_rake;
 }
 
-double spacing(const CutForces& cut) {
-  return cut.cut.cut_length / static_cast<double>(cut.x.size());
-}
-
 void take(std::vector<KnownCase>& cases, const std::string& file, CutForces forces, double mean_diameter) {
   const auto same = std::find_if(cases.begin(), cases.end(), [&](const KnownCase& known) {
     return same_conditions(known.conditions(), forces.cut) && known.mean_diameter == mean_diameter;
@@ -49,20 +46,9 @@ void take(std::vector<KnownCase>& cases, const std::string& file, CutForces forc
   if (std::fabs(before - now) > 1e-6 * before) {
     throw base::InputError(fmt::format(
         "{}: seeds {} and {} of one case are sampled each {:.4g} and {:.4g} um (they must be sampled alike)", file,
-        same->conditions().seed, forces.cut.seed, 1e6 * before, 1e6 * now));
+        same->conditions().seed, forces.cut.seed, before / base::um, now / base::um));
   }
   same->cuts.push_back(std::move(forces));
-}
-
-/// Files of results in a folder, by name.
-std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  std::error_code no_folder;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, no_folder)) {
-    if (entry.path().extension() == ".h5") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 void take_forces_file(std::vector<KnownCase>& cases, const std::filesystem::path& path) {
@@ -74,8 +60,8 @@ void take_folder(std::vector<KnownCase>& cases, const std::filesystem::path& fol
   std::error_code none;
   if (std::filesystem::is_regular_file(folder / forces_name, none))
     return take_forces_file(cases, folder / forces_name);
-  std::vector<std::filesystem::path> files = results_in(folder / "runs");
-  if (files.empty()) files = results_in(folder);
+  std::vector<std::filesystem::path> files = base::files_with_ending(folder / "runs", ".h5");
+  if (files.empty()) files = base::files_with_ending(folder, ".h5");
   if (files.empty())
     throw base::InputError(fmt::format("{}: no forces.h5 and no runs (*.h5) in this folder", folder.string()));
   for (const std::filesystem::path& path : files) {
@@ -85,6 +71,10 @@ void take_folder(std::vector<KnownCase>& cases, const std::filesystem::path& fol
 }
 
 }  // namespace
+
+double spacing(const CutForces& cut) {
+  return cut.cut.cut_length / static_cast<double>(cut.x.size());
+}
 
 std::vector<KnownCase> read_known_cuts(const std::filesystem::path& path) {
   std::vector<KnownCase> cases;

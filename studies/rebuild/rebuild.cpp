@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "base/parallel.hpp"
 #include "base/random.hpp"
+#include "base/units.hpp"
 #include "runtime/bit/bit_force.hpp"
-#include "runtime/bit/core_description.hpp"
 #include "studies/rebuild/constant_model.hpp"
 
 namespace bitrock::studies {
@@ -25,7 +24,7 @@ constexpr std::array<double, 2> places_in_sample{0.25, 0.75};
 runtime::Bit one_cutter(SignalMode mode, double back_rake, std::uint64_t seed) {
   runtime::Bit bit{.name = "one cutter", .diameter = 2.0 * path_radius, .signal = {}, .cutters = {}};
   bit.signal.mode = mode;
-  bit.signal.window_angle = runtime::default_window_angle_deg * std::numbers::pi / 180.0;
+  bit.signal.window_angle = runtime::default_window_angle_deg * base::deg;
   bit.signal.seed = seed;
   bit.cutters.push_back({.number = 1, .radius = path_radius, .width = 1.0, .back_rake = back_rake});
   return bit;
@@ -35,15 +34,11 @@ std::size_t samples_of(const KnownCase& known) {
   return known.cuts.front().x.size();
 }
 
-double spacing_of(const KnownCase& known) {
-  return known.conditions().cut_length / static_cast<double>(samples_of(known));
-}
-
 Portrait portrait_of(const KnownCase& known, const peaks::PeakDefinition& definition) {
   std::vector<Portrait> portraits;
   for (const CutForces& cut : known.cuts) {
     const std::vector<double> x(cut.x.begin(), cut.x.end()), y(cut.y.begin(), cut.y.end());
-    portraits.push_back(portrait({.x = x, .y = y, .spacing = spacing_of(known)}, definition));
+    portraits.push_back(portrait({.x = x, .y = y, .spacing = spacing(cut)}, definition));
   }
   return mean_of(portraits);
 }
@@ -61,10 +56,6 @@ Portrait portrait_of(const RebuiltForce& force, std::size_t samples, const peaks
 
 bool has_a_force(const Portrait& dem) {
   return dem.x.moments.mean > 0.0 && dem.y.moments.mean > 0.0 && dem.x.moments.sd > 0.0 && dem.y.moments.sd > 0.0;
-}
-
-bool can(const surrogate::Model& model, SignalMode mode) {
-  return runtime::mode_for(mode, model) == mode && (mode != SignalMode::sawtooth || surrogate::has_moments(model));
 }
 
 std::uint64_t seed_of(const RebuildOptions& options, std::size_t known) {
@@ -99,7 +90,7 @@ RebuiltForce rebuilt_force(const surrogate::Model& model, SignalMode mode, const
   const runtime::BitMotion motion{.angle = 0.0,
                                   .rotation = rotation,
                                   .rate_of_penetration = cut.depth_of_cut * rotation / (2.0 * std::numbers::pi)};
-  RebuiltForce made{.x = {}, .y = {}, .spacing = spacing_of(known)};
+  RebuiltForce made{.x = {}, .y = {}, .spacing = spacing(known.cuts.front())};
   const std::size_t samples = samples_of(known) * static_cast<std::size_t>(pieces);
   std::vector<double> angles;
   angles.reserve(places_in_sample.size() * samples);
@@ -143,7 +134,7 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
     for (const surrogate::Model* from : {&own, model}) {
       if (from == nullptr) continue;
       for (const SignalMode mode : options.modes) {
-        if (!can(*from, mode)) continue;
+        if (mode == SignalMode::sawtooth && !surrogate::has_moments(*from)) continue;
         Comparison comparison{
             .known = i, .from_model = from == model, .mode = mode, .rebuilt = {}, .likeness = {}, .draws = {}};
         const RebuiltForce force =

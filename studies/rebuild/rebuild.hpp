@@ -3,13 +3,11 @@
 /// statistics of the cuts themselves, which shows what the way of rebuilding loses, and from those of networks, which
 /// adds what these miss.
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "base/progress.hpp"
-#include "peaks/definition.hpp"
 #include "runtime/signal/settings.hpp"
 #include "runtime/signal/tallies.hpp"
 #include "studies/rebuild/known_cuts.hpp"
@@ -68,11 +66,6 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
 /// modes it cannot do.
 std::vector<std::string> warnings(const Rebuilding& rebuilding, const RebuildOptions& options,
                                   const surrogate::Model& model, const std::string& model_file);
-
-/// What is asked of a rebuilt force.
-struct Bar {
-  double from_own = 0.0, from_model = 0.0;  ///< the same unit as the measure
-};
 
 /// How far one number of the rebuilt forces is from the DEM's, over many cases.
 struct Measure {

@@ -39,10 +39,10 @@ std::string beyond_range_in_words(const Variable& input, double low, double high
                      input.high, 100.0 * share, below > above ? "below" : "above");
 }
 
-std::string beyond_ranges_in_words(const Model& model, const std::array<double, input_count>& asked) {
+std::string beyond_ranges_in_words(const Model& model, const AskedRanges& asked) {
   std::string text;
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    const std::string one = beyond_range_in_words(model.inputs[i], asked[i], asked[i]);
+    const std::string one = beyond_range_in_words(model.inputs[i], asked[i].low, asked[i].high);
     if (!one.empty()) text += (text.empty() ? "" : "; ") + one;
   }
   return text;

@@ -16,9 +16,14 @@ double beyond_range(const Variable& input, double low, double high);
 /// asked; empty inside.
 std::string beyond_range_in_words(const Variable& input, double low, double high);
 
-/// The same of all inputs of a model, one behind the other; empty when all are inside. `asked` has the values in the
-/// units and the order of the inputs.
-std::string beyond_ranges_in_words(const Model& model, const std::array<double, input_count>& asked);
+/// What was asked of one input, in its unit.
+struct AskedRange {
+  double low = 0.0, high = 0.0;
+};
+using AskedRanges = std::array<AskedRange, input_count>;  ///< in the order of the inputs
+
+/// The same of all inputs of a model, one behind the other; empty when all are inside.
+std::string beyond_ranges_in_words(const Model& model, const AskedRanges& asked);
 
 /// Throws `base::InputError` beginning with `source` when an answer, or its numbers of peaks in a cut of this length
 /// [m], are not finite.

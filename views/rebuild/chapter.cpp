@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
+#include "base/units.hpp"
 #include "studies/rebuild/constant_model.hpp"
 #include "views/rebuild/figures.hpp"
 #include "views/text/rebuild_table.hpp"
@@ -60,25 +62,22 @@ report::Table pauses_table(const studies::Rebuilding& all, bool from_model, runt
       .header = {"depth of cut [mm]", "cases", "without force, DEM [%]", "rebuilt [%]", "mean stretch, DEM [mm]",
                  "rebuilt [mm]", "quarters, DEM", "rebuilt"},
       .rows = {}};
-  std::map<double, std::vector<const studies::Comparison*>> by_depth;
+  struct Portraits {
+    std::vector<studies::Portrait> dem, rebuilt;
+  };
+  std::map<double, Portraits> by_depth;
   for (const studies::Comparison& one : all.comparisons) {
-    if (one.from_model == from_model && one.mode == mode)
-      by_depth[all.known[one.known].conditions().depth_of_cut].push_back(&one);
+    if (one.from_model != from_model || one.mode != mode) continue;
+    Portraits& alike = by_depth[all.known[one.known].conditions().depth_of_cut];
+    alike.dem.push_back(all.dem[one.known]);
+    alike.rebuilt.push_back(one.rebuilt);
   }
-  for (const auto& [depth, list] : by_depth) {
-    studies::ComponentPortrait dem, rebuilt;
-    const auto count = static_cast<double>(list.size());
-    for (const studies::Comparison* one : list) {
-      for (const auto& [sum, from] : {std::pair{&dem, &all.dem[one->known].x}, {&rebuilt, &one->rebuilt.x}}) {
-        sum->zero_share += from->zero_share / count;
-        sum->zero_period += from->zero_period / count;
-        sum->quarter_dispersion += from->quarter_dispersion / count;
-      }
-    }
+  for (const auto& [depth, alike] : by_depth) {
+    const studies::ComponentPortrait dem = mean_of(alike.dem).x, rebuilt = mean_of(alike.rebuilt).x;
     table.rows.push_back(
-        {fmt::format("{:.6g}", 1e3 * depth), fmt::format("{}", list.size()),
+        {fmt::format("{:.6g}", depth / base::mm), fmt::format("{}", alike.dem.size()),
          fmt::format("{:.0f}", 100.0 * dem.zero_share), fmt::format("{:.0f}", 100.0 * rebuilt.zero_share),
-         fmt::format("{:.2f}", 1e3 * dem.zero_period), fmt::format("{:.2f}", 1e3 * rebuilt.zero_period),
+         fmt::format("{:.2f}", dem.zero_period / base::mm), fmt::format("{:.2f}", rebuilt.zero_period / base::mm),
          fmt::format("{:.2f}", dem.quarter_dispersion), fmt::format("{:.2f}", rebuilt.quarter_dispersion)});
   }
   return table;
@@ -88,10 +87,10 @@ void add_case(report::Page& page, const studies::Rebuilding& all, const studies:
               const surrogate::Model* model, const studies::RebuildOptions& options) {
   const studies::KnownCase& known = all.known[one.known];
   const std::string way = way_in_words(one.from_model, one.mode);
-  const surrogate::Model own = studies::constant_model(studies::own_statistics(all.dem[one.known], known));
+  const surrogate::Model from =
+      one.from_model ? *model : studies::constant_model(studies::own_statistics(all.dem[one.known], known));
   runtime::DrawTally draws;
-  const studies::RebuiltForce force =
-      studies::rebuilt_force(one.from_model ? *model : own, one.mode, known, 1, options.seed, draws);
+  const studies::RebuiltForce force = studies::rebuilt_force(from, one.mode, known, 1, options.seed, draws);
   const double length = known.conditions().cut_length;
   const double shown = std::min(length, std::max(shown_least, shown_depths * known.conditions().depth_of_cut));
   for (const report::Plot& plot : history_plots(known, force, way, 0.5 * (length - shown), shown)) page.plot(plot);

@@ -12,7 +12,7 @@ namespace bitrock::views {
 
 namespace {
 
-constexpr double per_mm = 1e-3, mm = 1e-3, kN_per_m = 1e3;
+using base::mm, base::kN;
 
 report::Plot history_plot(const std::string& title, const std::vector<double>& travel_mm, const std::vector<double>& x,
                           const std::vector<double>& y) {
@@ -32,9 +32,9 @@ report::Plot octave_plot(const char* title, const studies::ComponentPortrait& de
                     .log_y = true};
   std::vector<double> middle, of_dem, of_rebuilt;
   for (std::size_t k = 0; k < studies::octave_count; ++k) {
-    middle.push_back(per_mm * std::sqrt(studies::octave_edges[k] * studies::octave_edges[k + 1]));
-    of_dem.push_back(dem.octaves[k] / (kN_per_m * kN_per_m));
-    of_rebuilt.push_back(rebuilt.octaves[k] / (kN_per_m * kN_per_m));
+    middle.push_back(mm * std::sqrt(studies::octave_edges[k] * studies::octave_edges[k + 1]));
+    of_dem.push_back(dem.octaves[k] / (kN * kN));
+    of_rebuilt.push_back(rebuilt.octaves[k] / (kN * kN));
   }
   plot.series.push_back({.name = "DEM", .x = middle, .y = of_dem, .style = report::Style::line_and_markers});
   plot.series.push_back({.name = "rebuilt", .x = middle, .y = of_rebuilt, .style = report::Style::line_and_markers});
@@ -66,10 +66,9 @@ struct Quantity {
   double (*of)(const studies::ComponentPortrait&);
 };
 constexpr std::array<Quantity, 3> quantities{
-    {{"mean", "mean [kN/m]", kN_per_m, [](const studies::ComponentPortrait& p) { return p.moments.mean; }},
-     {"standard deviation", "deviation [kN/m]", kN_per_m,
-      [](const studies::ComponentPortrait& p) { return p.moments.sd; }},
-     {"damage-equivalent range", "range [kN/m (1/m)^(1/4)]", kN_per_m,
+    {{"mean", "mean [kN/m]", kN, [](const studies::ComponentPortrait& p) { return p.moments.mean; }},
+     {"standard deviation", "deviation [kN/m]", kN, [](const studies::ComponentPortrait& p) { return p.moments.sd; }},
+     {"damage-equivalent range", "range [kN/m (1/m)^(1/4)]", kN,
       [](const studies::ComponentPortrait& p) { return p.damage_range; }}}};
 
 }  // namespace
@@ -89,10 +88,10 @@ std::vector<report::Plot> history_plots(const studies::KnownCase& known, const s
   std::array<std::vector<double>, 4> forces;
   for (std::size_t i = begin; i < end; ++i) {
     travel.push_back((static_cast<double>(i) + 0.5) * rebuilt.spacing / mm);
-    forces[0].push_back(static_cast<double>(cut.x[i]) / kN_per_m);
-    forces[1].push_back(static_cast<double>(cut.y[i]) / kN_per_m);
-    forces[2].push_back(rebuilt.x[i] / kN_per_m);
-    forces[3].push_back(rebuilt.y[i] / kN_per_m);
+    forces[0].push_back(static_cast<double>(cut.x[i]) / kN);
+    forces[1].push_back(static_cast<double>(cut.y[i]) / kN);
+    forces[2].push_back(rebuilt.x[i] / kN);
+    forces[3].push_back(rebuilt.y[i] / kN);
   }
   std::vector<report::Plot> plots{history_plot("DEM, " + conditions_in_words(known), travel, forces[0], forces[1]),
                                   history_plot("rebuilt: " + way, travel, forces[2], forces[3])};
