@@ -2,6 +2,7 @@
 // size, however many bits live beside each other; nothing changed by a call that fails.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -287,7 +288,7 @@ struct OpenState {
   explicit OpenState(std::vector<std::byte> state) : bytes(std::move(state)) {
     const std::size_t fixed = sealed_from + sizeof(clamps) + sizeof(draws) + sizeof(windows) + 2 * sizeof(Average);
     for (std::vector<double>* list : lists()) list->resize((used() - fixed) / (5 * sizeof(double)));
-    walk([](void* part, std::byte* at, std::size_t size) { std::memcpy(part, at, size); });
+    walk([](std::byte* part, const std::byte* at, std::size_t size) { std::copy_n(at, size, part); });
   }
 
   std::array<std::vector<double>*, 5> lists() {
@@ -298,7 +299,7 @@ struct OpenState {
   void walk(const Copy& copy) {
     std::byte* at = bytes.data() + sealed_from;
     const auto next = [&](void* part, std::size_t size) {
-      copy(part, at, size);
+      copy(static_cast<std::byte*>(part), at, size);  // an empty list has no bytes, and may have no address
       at += size;
     };
     next(&clamps, sizeof(clamps));
@@ -311,7 +312,7 @@ struct OpenState {
   }
 
   std::vector<std::byte> sealed() {
-    walk([](void* part, std::byte* at, std::size_t size) { std::memcpy(at, part, size); });
+    walk([](const std::byte* part, std::byte* at, std::size_t size) { std::copy_n(part, size, at); });
     std::array<std::uint64_t, 4> sums{1, 2, 3, used()};
     for (std::size_t at = sealed_from, lane = 0; at < used(); at += 8, lane = (lane + 1) % 4) {
       std::uint64_t word;
