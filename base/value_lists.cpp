@@ -103,4 +103,15 @@ std::vector<double> value_range(const std::string& flag, const std::string& text
   return values;
 }
 
+std::vector<double> values_in(const std::string& flag, const std::string& text, double least, double greatest) {
+  std::vector<double> values;
+  for (const std::string_view part : parts_of(text, ',')) {
+    const std::vector<double> more = value_range(flag, std::string(part), least, greatest);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  if (std::set<double>(values.begin(), values.end()).size() != values.size())
+    throw InputError(fmt::format("{} {} (each value may appear once)", flag, text));
+  return values;
+}
+
 }  // namespace bitrock::base

@@ -23,4 +23,7 @@ std::string seeds_text(const std::vector<int>& seeds);
 /// most 1000 of them. Throws `InputError` that names the flag and says what is allowed.
 std::vector<double> value_range(const std::string& flag, const std::string& text, double least, double greatest);
 
+/// Such ranges and numbers with commas between, each value once: "0,5,10:40:4".
+std::vector<double> values_in(const std::string& flag, const std::string& text, double least, double greatest);
+
 }  // namespace bitrock::base

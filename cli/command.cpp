@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <optional>
 #include <thread>
 
@@ -87,6 +88,15 @@ void require_outputs(const CommonOptions& options, const std::vector<std::filesy
   if (!options.json_file.empty()) all.emplace_back(options.json_file);
   base::refuse_overwriting(inputs, all);
   for (const auto& output : all) base::require_writable(output);
+}
+
+void refuse_named_twice(const std::vector<std::string>& inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::filesystem::equivalent(inputs[i], inputs[j]))
+        throw base::InputError(fmt::format("{} and {} are one file (name each once)", inputs[j], inputs[i]));
+    }
+  }
 }
 
 CLI::Validator within(const std::string& flag, const base::Range& allowed) {

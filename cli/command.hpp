@@ -44,6 +44,8 @@ void add_jobs(CLI::App& command, int& jobs, const std::string& what, Spelling sp
 /// input or another output. The JSON file is one of the outputs.
 void require_outputs(const CommonOptions& options, const std::vector<std::filesystem::path>& inputs,
                      const std::vector<std::filesystem::path>& outputs);
+/// Of inputs that exist: one file under two names would look like two results that agree. Throws `base::InputError`.
+void refuse_named_twice(const std::vector<std::string>& inputs);
 void write_json(const CommonOptions& options, const nlohmann::json& result);
 
 /// All that goes to standard output goes through here, and is there at once, also in a pipe. Throws `base::OutputError`

@@ -56,11 +56,13 @@ void run(const Options& options) {
   for (const std::string& warning : dem2d::warnings(bed)) warn(options.common, warning);
   dem2d::CutRun result;
   {
-    Progress progress(options.common, "cutting", "ms", 1e3);
-    result = dem2d::run_cut(
-        cut, bed,
-        {.threads = options.common.threads, .frames = options.frames, .measure_energy = !options.without_energy},
-        progress.callback());
+    Progress settling(options.common, "pressing the rock", ""), progress(options.common, "cutting", "ms", 1e3);
+    result = dem2d::run_cut(cut, bed,
+                            {.threads = options.common.threads,
+                             .frames = options.frames,
+                             .settling = settling.callback(),
+                             .measure_energy = !options.without_energy},
+                            progress.callback());
   }
   dem2d::write_run(result, cut, static_cast<std::uint64_t>(options.seed), options.output);
 

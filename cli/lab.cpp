@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/stop.hpp"
+#include "base/units.hpp"
 #include "base/value_lists.hpp"
 #include "cli/command.hpp"
 #include "dem2d/files/specimen_file.hpp"
@@ -17,10 +18,12 @@ namespace bitrock::cli {
 
 namespace {
 
+constexpr double most_pressure_MPa = 1000.0;  // ten times the mud pressure of the deepest wells
+
 struct Options {
   CommonOptions common;
   int jobs = 1;
-  std::string test_name, rock_file, specimen_file, folder, seeds = "1";
+  std::string test_name, rock_file, specimen_file, folder, seeds = "1", pressures;
   dem2d::LabTest test = dem2d::LabTest::ucs;  ///< that of `test_name`
   bool seeds_given = false, platen_friction_given = false;
   double width_mm = 0.0, height_mm = 0.0;  ///< 0: those of the rock file
@@ -29,10 +32,10 @@ struct Options {
 };
 
 dem2d::LabTest test_named(const std::string& name) {
-  for (const dem2d::LabTest test : {dem2d::LabTest::ucs, dem2d::LabTest::tension, dem2d::LabTest::brazilian}) {
+  for (const dem2d::LabTest test : dem2d::lab_tests) {
     if (name == dem2d::name_of(test)) return test;
   }
-  throw base::InputError(fmt::format("test '{}' (must be ucs, tension or brazilian)", name));
+  throw base::InputError(fmt::format("test '{}' (must be ucs, tension, brazilian or triaxial)", name));
 }
 
 void take_given_specimen(const Options& options, studies::LabSeries& series) {
@@ -48,6 +51,10 @@ void refuse_flags_of_other_tests(const Options& options) {
     throw base::InputError("--height-mm: a Brazilian disc has its diameter only (--width-mm)");
   if (options.test == dem2d::LabTest::tension && options.platen_friction_given)
     throw base::InputError("--platen-friction: there are no platens in a tension test");
+  if ((options.test == dem2d::LabTest::triaxial) == options.pressures.empty())
+    throw base::InputError(options.pressures.empty()
+                               ? "triaxial: --confining-pressures-MPa is missing, e.g. 0,5,10,20,40"
+                               : "--confining-pressures-MPa: only a triaxial test has them");
 }
 
 studies::LabSeries make_series(const Options& options) {
@@ -58,6 +65,10 @@ studies::LabSeries make_series(const Options& options) {
                             .rate_check = options.rate_check};
   series.settings.width = options.width_mm > 0.0 ? options.width_mm * 1e-3 : series.rock.specimen_width;
   series.settings.height = options.height_mm > 0.0 ? options.height_mm * 1e-3 : series.rock.specimen_height;
+  if (!options.pressures.empty()) {
+    series.pressures = base::values_in("--confining-pressures-MPa", options.pressures, 0.0, most_pressure_MPa);
+    for (double& pressure : series.pressures) pressure *= base::MPa;
+  }
   if (options.specimen_file.empty()) {
     for (const int seed : base::seeds_in("--seeds", options.seeds))
       series.seeds.push_back(static_cast<std::uint64_t>(seed));
@@ -78,7 +89,7 @@ void warn_of_other_curves(const Options& options, const studies::LabSeries& seri
 void write_files(const Options& options, const studies::LabSeries& series, const dem2d::LabRun& run) {
   if (options.folder.empty()) return;
   const auto file_of = [&](const char* ending) {
-    return studies::file_of(options.folder, series.test, run.seed, ending);
+    return studies::file_of(options.folder, series.test, {run.seed, run.confining_pressure}, ending);
   };
   base::write_whole(file_of("csv"), studies::curve_csv(run));
   base::write_whole(file_of("png"), views::draw_broken_core(run, series.rock.name));
@@ -119,6 +130,7 @@ void run(const Options& options) {
   for (const dem2d::LabRun& tested : results.runs) {
     for (const std::string& warning : dem2d::warnings(tested)) warn(options.common, warning);
   }
+  say(options.common, "{}", views::envelope_lines(results));
   if (!results.half_rate.empty())
     say(options.common, "{}", views::rate_check_line(series.settings.strain_rate, results));
   write_json(options.common, views::as_json(series, results));
@@ -134,11 +146,11 @@ void run(const Options& options) {
 
 void add_lab(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("lab",
-                         "Tests the strength of a synthetic rock: uniaxial compression, direct tension, Brazilian.\n"
-                         "It prints a table; -o keeps curves and pictures, and --json all numbers.");
-  command->add_option("test", options->test_name, "The test: ucs, tension or brazilian.")->required();
+  CLI::App* command = app.add_subcommand(
+      "lab",
+      "Tests the strength of a synthetic rock: uniaxial and triaxial compression, direct tension, Brazilian.\n"
+      "It prints a table; -o keeps curves and pictures, and --json all numbers.");
+  command->add_option("test", options->test_name, "The test: ucs, tension, brazilian or triaxial.")->required();
   command->add_option("rock", options->rock_file, "The rock file, e.g. campaigns/rocks/article.toml.")->required();
   CLI::Option* seeds =
       command
@@ -153,6 +165,12 @@ void add_lab(CLI::App& app) {
           "--height-mm", options->height_mm,
           "The specimen is so high, whatever specimen.height_mm of the rock file says (not in the Brazilian test).")
       ->check(within("--height-mm", dem2d::specimen_length_mm));
+  command
+      ->add_option(
+          "--confining-pressures-MPa", options->pressures,
+          "A triaxial test is made under each of these pressures, e.g. 0,5,10:40:4; two and more give friction "
+          "angle and cohesion.")
+      ->check(not_empty());
   command
       ->add_option("--strain-rate-per-s", options->settings.strain_rate,
                    "The test loads the core at this rate. Without the flag the program chooses a slow enough one.")
@@ -177,10 +195,10 @@ void add_lab(CLI::App& app) {
                     "Each core is also tested at half the loading rate, and the program says how much the strength "
                     "changes and whether the rate is slow enough.");
   command
-      ->add_option(
-          "-o,--output", options->folder,
-          "This folder gets TEST_seed_N.csv (curve) and .png (broken core) of each seed, TEST_curves.png (all), and "
-          "TEST_rock.toml (the rock that was tested).")
+      ->add_option("-o,--output", options->folder,
+                   "This folder gets TEST_seed_N.csv (curve; triaxial_PMPa_seed_N.csv under a pressure P) and .png "
+                   "(broken core) of each seed, TEST_curves.png (all), and "
+                   "TEST_rock.toml (the rock that was tested).")
       ->check(not_empty());
   add_common(*command, options->common);
   add_jobs(*command, options->jobs, "specimens", Spelling::jobs_or_threads);

@@ -32,6 +32,7 @@ void run(Options options) {
   for (const std::string& input : options.inputs) {
     for (studies::KnownCase& one : studies::read_known_cuts(input)) known.push_back(std::move(one));
   }
+  refuse_named_twice(options.inputs);
   std::optional<surrogate::Model> model;
   if (!options.model_file.empty()) model = surrogate::read_model(options.model_file);
   std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end()), outputs;

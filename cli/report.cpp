@@ -47,16 +47,6 @@ void report_campaign(const Options& options) {
   write_json(options.common, {{"files", {options.output}}});
 }
 
-/// One file twice would look like two runs that agree.
-void refuse_equal(const std::vector<std::string>& names) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (std::filesystem::equivalent(names[i], names[j]))
-        throw base::InputError(fmt::format("{} and {} are one file (name each run once)", names[j], names[i]));
-    }
-  }
-}
-
 void report_drill(const Options& options) {
   const std::vector<std::string>& names = options.inputs;
   if (names.size() > views::most_shown_runs)
@@ -73,7 +63,7 @@ void report_drill(const Options& options) {
       throw base::InputError(fmt::format("{} is a folder (one campaign folder alone, or files of drill runs)", name));
     files.push_back(runtime::read_drill_run(name));
   }
-  refuse_equal(names);
+  refuse_named_twice(names);
   require_plot_library();
   const std::vector<views::ShownRun> runs = views::shown_runs(names, std::move(files));
   const std::vector<report::Figure> figures = views::drill_figures(runs);

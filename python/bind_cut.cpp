@@ -29,8 +29,9 @@ using dem2d::CutCase, dem2d::CutRun, dem2d::Energies, dem2d::Frame;
 struct EnergyName {
   const char* name;
   double Energies::*member;
+  bool of_mud = false;  ///< only of cuts under mud
 };
-constexpr std::array<EnergyName, 12> energy_names{{{"cutter_work_J_per_m", &Energies::boundary_work},
+constexpr std::array<EnergyName, 14> energy_names{{{"cutter_work_J_per_m", &Energies::boundary_work},
                                                    {"kinetic_J_per_m", &Energies::kinetic},
                                                    {"strain_joints_J_per_m", &Energies::strain_joints},
                                                    {"strain_contacts_J_per_m", &Energies::strain_contacts},
@@ -41,7 +42,9 @@ constexpr std::array<EnergyName, 12> energy_names{{{"cutter_work_J_per_m", &Ener
                                                    {"breaking_J_per_m", &Energies::breaking},
                                                    {"switching_J_per_m", &Energies::switching},
                                                    {"removed_J_per_m", &Energies::removed},
-                                                   {"injected_J_per_m", &Energies::injected}}};
+                                                   {"injected_J_per_m", &Energies::injected},
+                                                   {"mud_work_J_per_m", &Energies::mud_work, true},
+                                                   {"entered_J_per_m", &Energies::entered, true}}};
 
 struct Run {
   CutCase cut;
@@ -54,7 +57,8 @@ struct Run {
 std::map<std::string, std::vector<double>> energies_of(const CutRun& run) {
   std::map<std::string, std::vector<double>> energy;
   if (run.energies.empty()) return energy;
-  for (const auto& [name, member] : energy_names) {
+  for (const auto& [name, member, of_mud] : energy_names) {
+    if (of_mud && run.settled.steps == 0) continue;
     for (const Energies& instant : run.energies) energy[name].push_back(instant.*member);
   }
   return energy;
@@ -63,8 +67,24 @@ std::map<std::string, std::vector<double>> energies_of(const CutRun& run) {
 std::map<std::string, std::vector<double>> energies_of(const base::Hdf5Reader& file) {
   std::map<std::string, std::vector<double>> energy;
   if (!file.has("/energy")) return energy;
-  for (const auto& [name, member] : energy_names) energy[name] = file.doubles(std::string("/energy/") + name);
+  for (const auto& [name, member, of_mud] : energy_names) {
+    const std::string path = std::string("/energy/") + name;
+    if (!of_mud || file.has(path)) energy[name] = file.doubles(path);
+  }
   return energy;
+}
+
+/// What the mud did before the cut, and to its window.
+py::object under_mud(const Run& run) {
+  const dem2d::Settled& settled = run.run.settled;
+  if (settled.steps == 0) return py::none();
+  py::dict dict;
+  dict["surface_drop_m"] = settled.surface_drop;
+  dict["shortening_m"] = settled.shortening;
+  dict["broken_elements"] = settled.cracks;
+  dict["settling_steps"] = settled.steps;
+  dict["forced_entries"] = run.run.forced_entries;
+  return dict;
 }
 
 Run read_run(const py::object& path, bool frames) {
@@ -236,6 +256,8 @@ void bind_cut(py::module_& module) {
             return self.energy.empty() ? std::nullopt : std::optional(self.run.energy_residual_fraction);
           },
           "what the energies do not account for, over the work of the cutter; None when not measured")
+      .def_property_readonly("under_mud", &under_mud,
+                             "dict: what the mud did to the bed before the cut, and to its window; None without mud")
       .def_property_readonly(
           "energy_injected_fraction",
           [](const Run& self) {

@@ -6,12 +6,14 @@
 
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
+#include "base/units.hpp"
 #include "base/value_lists.hpp"
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/computing.hpp"
 #include "python/cracks.hpp"
 #include "python/input.hpp"
+#include "studies/lab/envelope.hpp"
 #include "studies/lab/series.hpp"
 
 namespace py = pybind11;
@@ -23,10 +25,10 @@ namespace {
 using dem2d::LabRun, dem2d::LabSample, dem2d::LabTest, studies::LabResults, studies::LabSeries;
 
 LabTest test_named(const std::string& name) {
-  for (const LabTest test : {LabTest::ucs, LabTest::tension, LabTest::brazilian}) {
+  for (const LabTest test : dem2d::lab_tests) {
     if (name == dem2d::name_of(test)) return test;
   }
-  throw base::InputError(fmt::format("test '{}' (must be ucs, tension or brazilian)", name));
+  throw base::InputError(fmt::format("test '{}' (must be ucs, tension, brazilian or triaxial)", name));
 }
 
 std::vector<std::uint64_t> seeds_of(const py::object& seeds) {
@@ -75,6 +77,22 @@ py::dict summary(const LabResults& results, double base::Summary::*of, int fewes
   return dict;
 }
 
+py::object envelope(const LabResults& results) {
+  const studies::EnvelopeOfSeeds lines = studies::envelope_of(results.runs);
+  if (lines.empty()) return py::none();
+  py::dict dict;
+  const auto add = [&](const std::string& key, double studies::Envelope::*member, double unit) {
+    const base::Summary s = lines.of(member);
+    dict[py::str(key)] = s.mean / unit;
+    dict[py::str("sd_" + key)] = s.count > 1 ? s.standard_deviation / unit : std::nan("");
+  };
+  add("friction_angle_deg", &studies::Envelope::friction_angle, base::deg);
+  add("cohesion_Pa", &studies::Envelope::cohesion, 1.0);
+  add("strength_at_zero_Pa", &studies::Envelope::strength_at_zero, 1.0);
+  add("slope", &studies::Envelope::slope, 1.0);
+  return dict;
+}
+
 py::object rate_check(const LabResults& results) {
   if (results.half_rate.empty()) return py::none();
   const studies::RateCheck check = studies::rate_check_of(results);
@@ -88,7 +106,8 @@ py::object rate_check(const LabResults& results) {
 
 LabResults lab(const std::string& test, const py::object& rock, const py::object& seeds, const py::object& specimen,
                std::optional<double> width_mm, std::optional<double> height_mm, double strain_rate_per_s,
-               double local_damping, std::optional<double> platen_friction, bool check_rate, std::optional<int> jobs,
+               double local_damping, std::optional<double> platen_friction,
+               std::optional<std::vector<double>> confining_pressures_MPa, bool check_rate, std::optional<int> jobs,
                const py::object& progress) {
   LabSeries series{.test = test_named(test),
                    .rock = read_input(rock, "rock", dem2d::read_rock, dem2d::parse_rock),
@@ -97,6 +116,14 @@ LabResults lab(const std::string& test, const py::object& rock, const py::object
     throw base::InputError("height_mm: a Brazilian disc has its diameter only (width_mm)");
   if (series.test == LabTest::tension && platen_friction)
     throw base::InputError("platen_friction: there are no platens in a tension test");
+  if ((series.test == LabTest::triaxial) != confining_pressures_MPa.has_value())
+    throw base::InputError("confining_pressures_MPa: a list for a triaxial test, None for the others");
+  if (confining_pressures_MPa) series.pressures.clear();
+  for (const double pressure : confining_pressures_MPa.value_or(std::vector<double>{})) {
+    require_within("confining_pressures_MPa", pressure, base::between(0.0, 1000.0));
+    series.pressures.push_back(pressure * base::MPa);
+  }
+  if (series.pressures.empty()) throw base::InputError("confining_pressures_MPa: none (must be at least one)");
   if (width_mm) require_within("width_mm", *width_mm, dem2d::specimen_length_mm);
   if (height_mm) require_within("height_mm", *height_mm, dem2d::specimen_length_mm);
   if (jobs) require_within("jobs", *jobs, base::between(1, 256));
@@ -132,6 +159,7 @@ void bind_run(py::module_& module) {
       .def_property_readonly(
           "test", [](const LabRun& self) { return dem2d::name_of(self.test); }, "its name")
       .def_readonly("seed", &LabRun::seed, "of the core")
+      .def_readonly("confining_pressure_Pa", &LabRun::confining_pressure, "triaxial; stresses are above it [Pa]")
       .def_readonly("discs", &LabRun::discs, "of the core")
       .def_readonly("joints", &LabRun::joints, "of the core")
       .def_readonly("peak_stress_Pa", &LabRun::peak_stress, "the strength [Pa]")
@@ -176,10 +204,13 @@ void bind_lab(py::module_& module) {
           "failures", [](const LabResults& self) { return self.failures; }, "list of (seed, reason)")
       .def_property_readonly(
           "mean", [](const LabResults& self) { return summary(self, &base::Summary::mean, 1); },
-          "means over the runs, by the names of LabRun")
+          "means over the runs, by the names of LabRun; of triaxial tests over all pressures")
       .def_property_readonly(
           "sd", [](const LabResults& self) { return summary(self, &base::Summary::standard_deviation, 2); },
           "standard deviations over the runs; NaN of a single one")
+      .def_property_readonly(
+          "envelope", &envelope,
+          "dict: the Mohr-Coulomb line of triaxial tests, mean and sd over the seeds; None of others")
       .def_property_readonly("rate_check", &rate_check,
                              "dict: how halving the rate changes the mean strength; None unless asked for")
       .def("__repr__", [](const LabResults& self) {
@@ -190,10 +221,11 @@ void bind_lab(py::module_& module) {
       "lab", &lab, py::arg("test"), py::arg("rock"), py::kw_only(), py::arg("seeds") = py::none(),
       py::arg("specimen") = py::none(), py::arg("width_mm") = py::none(), py::arg("height_mm") = py::none(),
       py::arg("strain_rate_per_s") = usual.strain_rate, py::arg("local_damping") = usual.local_damping,
-      py::arg("platen_friction") = py::none(), py::arg("rate_check") = false, py::arg("jobs") = py::none(),
-      py::arg("progress") = py::none(),
+      py::arg("platen_friction") = py::none(), py::arg("confining_pressures_MPa") = py::none(),
+      py::arg("rate_check") = false, py::arg("jobs") = py::none(), py::arg("progress") = py::none(),
       "Strength tests on synthetic cores, one a seed (LabResults).\n\n"
-      "test: 'ucs' (uniaxial compression), 'tension' or 'brazilian'. rock: a rock file (str or path), or a dict\n"
+      "test: 'ucs' (uniaxial compression), 'tension', 'brazilian' or 'triaxial' (compression under each of\n"
+      "confining_pressures_MPa, a list). rock: a rock file (str or path), or a dict\n"
       "with its tables. seeds: a number, a list, or text as '1,2,5:10'; None for 1.\n"
       "specimen: a Specimen whose discs are tested, with the joints of the rock. width_mm, height_mm: in place of\n"
       "[specimen] of the rock. strain_rate_per_s: 0 for that chosen for the rock. rate_check: also test at half\n"

@@ -14,7 +14,7 @@
 namespace bitrock::dem2d {
 
 namespace {
-using base::deg, base::mm, base::um;
+using base::deg, base::mm, base::MPa, base::um;
 
 // The cutter must keep this many depths of rock in front of it at the end, so that the side wall does not confine the
 // last chips; and this many below it, so that the bottom does not.
@@ -29,6 +29,9 @@ constexpr double rounding = 1.0 + 1e-12;
 // (docs/decisions/0009).
 constexpr double depths_moving_ahead = 3.0, depths_moving_behind = 1.0, columns_moving = 1.0;
 
+// Under mud, below which there is a warning.
+constexpr double depths_ahead_in_mud = 10.0;
+
 constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 }  // namespace
 
@@ -42,6 +45,8 @@ std::vector<base::Section> describe(CutCase& cut) {
   const base::Range margin = between(0.1, 1e3);     // chips that fly farther meet no rock any more
   const base::Range step_factor = between(1e-3, longest_step_factor);  // smaller ones only cost time
   const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
+  const base::Range pressure = zero_or(0.01, 1e3);    // ten times the mud pressure of the deepest wells
+  const base::Range seal_gap = between(0.001, 0.25);  // farther apart than 0.3 discs are not on each other's lists
   return {
       {"",
        {{"rock", &cut.rock_file, 1.0, any(), "rock file, relative to this file; or the tables of a rock here", true}}},
@@ -65,6 +70,12 @@ std::vector<base::Section> describe(CutCase& cut) {
         {"sampling_distance_um", &cut.sampling_distance, um, sampling, "travel between two force samples"},
         {"step_factor", &cut.step_factor, 1.0, step_factor, "share of the longest stable step"},
         {"domain_margin_mm", &cut.domain_margin, mm, margin, "discs farther from the bed are removed"}}},
+      {"fluid",
+       {{"pressure_MPa", &cut.mud_pressure, MPa, pressure, "of the mud above that of the pores; 0: no mud"},
+        {"debris", &cut.debris, 1.0, any(), "sealed: touching debris keeps the mud out; drained: only joints do"},
+        {"cutter_face", &cut.cutter_face, 1.0, any(), "open: mud comes between cutter and debris; sealed: it does not"},
+        {"seal_gap_over_radius", &cut.seal_gap_over_radius, 1.0, seal_gap,
+         "widest gap that mud does not enter, over the smallest radius"}}},
   };
 }
 
@@ -134,6 +145,12 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
                     "of the stable step needs normals at least as stiff as shear)",
                     cut.step_factor, usual_step_factor, softest));
   }
+  const auto check_word = [&](const char* key, const std::string& word, const char* one, const char* other) {
+    if (word != one && word != other)
+      refuse(fmt::format("fluid.{} = \"{}\" (must be \"{}\" or \"{}\")", key, word, one, other));
+  };
+  check_word("debris", cut.debris, debris_sealed, debris_drained);
+  check_word("cutter_face", cut.cutter_face, face_open, face_sealed);
   check_specimen_size(cut.rock, cut.bed_length, cut.bed_height, source + ": [bed]");
   const double travel = cut.run_in + cut.cut_length;
   if (travel / cut.sampling_distance > most_samples) {
@@ -160,6 +177,12 @@ std::vector<std::string> warnings(const CutCase& cut) {
                     "of the two in another unit?",
                     key, length / mm, length / mean_diameter, mean_diameter / mm));
   };
+  if (cut.mud_pressure > 0.0 && cut.moving_ahead > 0.0 && cut.moving_ahead < depths_ahead_in_mud * cut.depth_of_cut) {
+    found.push_back(
+        fmt::format("bed.moving_ahead_mm = {:.4g} is {:.3g} depths of cut; under mud the thrust reaches farther (12 "
+                    "and more are safe)",
+                    cut.moving_ahead / mm, cut.moving_ahead / cut.depth_of_cut));
+  }
   look_at("diameter_mm", cut.cutter_diameter);
   look_at("thickness_mm", cut.cutter_thickness);
   return found;
@@ -170,6 +193,7 @@ namespace {
 std::vector<base::Section> case_and_rock(CutCase& cut) {
   std::vector<base::Section> sections = describe(cut);
   sections.erase(sections.begin());  // the rock's content says it better than its file name
+  leave_out_unused(sections, cut);
   // a cut brings its own bed
   for (base::Section& section : describe_material(cut.rock)) sections.push_back(std::move(section));
   return sections;
@@ -189,6 +213,10 @@ CutCase checked(base::ConfigFile file) {
 }
 
 }  // namespace
+
+void leave_out_unused(std::vector<base::Section>& sections, const CutCase& cut) {
+  if (cut.mud_pressure == 0.0) std::erase_if(sections, [](const base::Section& s) { return s.name == "fluid"; });
+}
 
 CutCase read_cut_case(const std::filesystem::path& path) {
   return checked(base::ConfigFile::read(path));

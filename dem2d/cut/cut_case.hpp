@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/config.hpp"
+#include "dem2d/fluid/mud.hpp"
 #include "dem2d/specimen/rock.hpp"
 #include "dem2d/step/step.hpp"
 
@@ -33,7 +34,16 @@ struct CutCase {
   double sampling_distance = 20e-6;        ///< travel between two samples of the force history [m]
   double step_factor = usual_step_factor;  ///< of the longest step that is stable by its bound (step/step.hpp) [1]
   double domain_margin = 20e-3;            ///< discs farther than this from the bed are removed [m]
+
+  double mud_pressure = 0.0;         ///< on what mud cannot enter (fluid/mud.hpp); 0: none, as in the article [Pa]
+  std::string debris = "sealed";     ///< "sealed" or "drained"
+  std::string cutter_face = "open";  ///< "open" or "sealed": whether mud comes between cutter and debris
+  double seal_gap_over_radius =
+      usual_seal_gap_over_radius;  ///< widest gap that mud does not enter, over the smallest radius [1]
 };
+
+inline constexpr const char *debris_sealed = "sealed", *debris_drained = "drained";  ///< of `CutCase::debris`
+inline constexpr const char *face_open = "open", *face_sealed = "sealed";            ///< of `CutCase::cutter_face`
 
 /// What a case may be, in the units of its keys: ten times beyond what cutters do, near enough to catch a slipped unit
 /// (depths of cut are 0.1 to 10 mm). The rock ahead of a face that leans more than 60 degrees is not cut but ploughed.
@@ -43,6 +53,9 @@ inline constexpr base::Range back_rake_deg{.low = 0.0, .high = 60.0};      ///< 
 
 /// The sections of the file without the rock, bound to `cut`.
 std::vector<base::Section> describe(CutCase& cut);
+
+/// Without mud its table means nothing and is left out of what is kept and compared.
+void leave_out_unused(std::vector<base::Section>& sections, const CutCase& cut);
 
 /// Reads the case and the rock it names, or holds, checked together. Throws `base::InputError`.
 CutCase read_cut_case(const std::filesystem::path& path);

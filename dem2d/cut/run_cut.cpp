@@ -34,6 +34,9 @@ constexpr double most_discs_in_frames = 1e8, bytes_of_a_disc = 65.0;
 // In one step the cutter moves no more than this share of the smallest grain's diameter: a grain must feel it come.
 constexpr double motion_share = 0.01;
 
+// Of the cutter's work, under mud: above it something went wrong, as where rock enters over displaced rock [1].
+constexpr double most_residual = 0.002;
+
 // The cutter starts this far from the edge of the rock, so that nothing touches at the first step [m].
 constexpr double start_gap = 1e-6;
 
@@ -65,6 +68,27 @@ double years(double disc_steps) {
   constexpr double seconds_per_year = 3.156e7;
   return expected_core_seconds(disc_steps, 1.0) / seconds_per_year;
 }
+
+/// When rock enters the window of a cut under mud. Thrust moves the rock there by more than a grain's tolerance now and
+/// then: the window waits for calm, as long as three quarters of the rock ahead are left.
+class Door {
+ public:
+  Door(bool waits, double ahead) : waits_(waits), least_ahead_(0.75 * ahead) {}
+
+  /// Counts in when it may not wait any longer.
+  bool may_open(const Window& window, const World& world, double tip_x, double thrust, int& forced) {
+    ++looks_;
+    mean_thrust_ += (thrust - mean_thrust_) / looks_;
+    if (!waits_ || (thrust <= mean_thrust_ && door_is_clear(window, world.discs))) return true;
+    if (window.high - tip_x >= least_ahead_) return false;
+    forced += door_is_clear(window, world.discs) ? 0 : 1;
+    return true;
+  }
+
+ private:
+  bool waits_;
+  double least_ahead_, looks_ = 0.0, mean_thrust_ = 0.0;
+};
 
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
@@ -133,11 +157,26 @@ CutSchedule plan_steps(const CutCase& cut, double critical_step) {
 }
 
 std::vector<std::string> warnings(const CutRun& run) {
-  if (run.energies.empty() || std::abs(run.energy_injected_fraction) <= most_injected) return {};
-  return {
+  std::vector<std::string> found;
+  if (run.forced_entries > 0) {
+    found.push_back(
+        fmt::format("rock entered {} times over rock that the thrust held out of its place: take a larger "
+                    "bed.moving_ahead_mm (12 depths and more under mud)",
+                    run.forced_entries));
+  }
+  if (run.energies.empty()) return found;
+  if (run.settled.steps > 0 && std::abs(run.energy_residual_fraction) > most_residual) {
+    found.push_back(
+        fmt::format("{:.2g} % of the cutter's work is not found (at most {:g} % is usual under mud): do not "
+                    "trust these forces",
+                    100.0 * run.energy_residual_fraction, 100.0 * most_residual));
+  }
+  if (std::abs(run.energy_injected_fraction) <= most_injected) return found;
+  found.push_back(
       fmt::format("{:.2g} % of the cutter's work came from contacts and joints that began under load (at most {:.0f} % "
                   "is usual): do not trust these forces; is the step too long?",
-                  100.0 * run.energy_injected_fraction, 100.0 * most_injected)};
+                  100.0 * run.energy_injected_fraction, 100.0 * most_injected));
+  return found;
 }
 
 CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& options,
@@ -150,10 +189,18 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   world.step = schedule.step;
   const double interval = schedule.step * schedule.steps_per_sample;
   const int discs = world.discs.count(), joints = world.joints.count();
+  CutRun run;
+  const bool under_mud = cut.mud_pressure > 0.0;
+  if (under_mud) run.settled = settle_under_mud(world, cut, options.settling);
   std::optional<Window> window;
   if (cut.moving_ahead > 0.0 || cut.moving_behind > 0.0) window = open_window(world, cut, start_x(cut));
   const Window* const rock_window = window ? &*window : nullptr;
-  CutRun run;
+  Door door(under_mud, cut.moving_ahead);
+  Energies start;  // without mud the bed holds nothing
+  if (under_mud && options.measure_energy) {
+    find_forces(world);
+    start = read_energies(world);
+  }
   run.bed_origin = bed.origin;
   run.discs = discs;
   run.joints = joints;
@@ -166,13 +213,14 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
     for (int step = 1; step <= schedule.steps_per_sample; ++step) {
       find_forces(world);
       if (options.measure_energy && counts && step == schedule.steps_per_sample)
-        run.energies.push_back(read_energies(world));
+        run.energies.push_back(under_mud ? since(start, read_energies(world)) : read_energies(world));
       move(world);
-      impulse_x -= world.boundaries[0].force_x;
-      impulse_y += world.boundaries[0].force_y;
+      impulse_x -= world.boundaries[0].force_x + world.boundaries[0].mud_x;
+      impulse_y += world.boundaries[0].force_y + world.boundaries[0].mud_y;
     }
     const double tip_x = start_x(cut) + cut.sampling_distance * static_cast<double>(sample);
-    if (window) advance_window(*window, world, tip_x);
+    if (window && door.may_open(*window, world, tip_x, impulse_x, run.forced_entries))
+      advance_window(*window, world, tip_x);
     base::throw_if_stopped();
     require_finite(world);
     disc_steps += static_cast<double>(world.discs.count()) * schedule.steps_per_sample;

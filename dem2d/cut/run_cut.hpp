@@ -16,6 +16,7 @@
 #include "base/progress.hpp"
 #include "dem2d/cut/cut_case.hpp"
 #include "dem2d/cut/frame.hpp"
+#include "dem2d/cut/settle.hpp"
 #include "dem2d/specimen/genesis.hpp"
 #include "dem2d/step/energy.hpp"
 
@@ -24,7 +25,8 @@ namespace bitrock::dem2d {
 struct CutRun {
   // Force history after the run-in. Each sample is the mean over the sampling interval that ends at `time` (since the
   // start of the cut), so impulses are kept.
-  std::vector<double> time;     ///< [s]
+  std::vector<double> time;  ///< [s]
+  // Under mud it is the net force: of contacts, and of the mud where the face is sealed.
   std::vector<double> force_x;  ///< resistance to cutting, positive [N/m]
   std::vector<double> force_y;  ///< push out of the rock, positive [N/m]
   std::vector<Energies>
@@ -43,6 +45,8 @@ struct CutRun {
   int cracks_tensile = 0, cracks_shear = 0;
   int removed_discs = 0;
   double energy_residual_fraction = 0.0;  ///< what the ledger cannot find, over the cutter's work [1]
+  Settled settled;                        ///< before the cut, under mud
+  int forced_entries = 0;                 ///< times that rock entered over rock out of place, under mud
   double energy_injected_fraction = 0.0;  ///< what the scheme gave to the rock (Energies), over the cutter's work [1]
   double wall_time = 0.0;                 ///< [s]
   double core_time = 0.0;  ///< time on cores: less than wall time on one thread when others use the machine [s]
@@ -51,8 +55,9 @@ struct CutRun {
 
 struct CutOptions {
   int threads = 1;
-  int frames = 0;              ///< extra snapshots, evenly spaced
-  bool measure_energy = true;  ///< costs a sixth of the time (docs/results/validation.md); no force
+  int frames = 0;                     ///< extra snapshots, evenly spaced
+  base::ProgressCallback settling{};  ///< of the bed under mud, before the cut
+  bool measure_energy = true;         ///< costs a sixth of the time (docs/results/validation.md); no force
 };
 
 /// The bed, held at its sides, with the cutter (boundary 0), prepared, with its critical step.

@@ -75,7 +75,10 @@ void let_in(Window& window, World& world, double high) {
     };
     if (!stands(disc1) || !stands(disc2)) continue;
     append_joint(world.joints, joints, joint, disc1, disc2);
-    if (world.ledger.measured) world.ledger.accounts.injected += joint_energy(world, world.joints.disc1.size() - 1);
+    if (!world.ledger.measured) continue;
+    const double in_bed = joint_energy(window.bed, joint);  // 0 without mud
+    world.ledger.accounts.entered += in_bed;
+    world.ledger.accounts.injected += joint_energy(world, world.joints.disc1.size() - 1) - in_bed;
   }
 }
 
@@ -143,6 +146,15 @@ void release(Discs& discs, std::size_t disc) {
   set_mass(discs, disc, discs.mass[disc], discs.inertia[disc]);
 }
 
+bool door_is_clear(const Window& window, const Discs& discs) {
+  constexpr double columns_of_the_door = 2.0;
+  const double from = window.high - columns_of_the_door * window.column;
+  for (std::size_t i = 0; i < discs.x.size(); ++i) {
+    if (discs.x[i] > from && !is_in_its_place(window, discs, i)) return false;
+  }
+  return true;
+}
+
 Window open_window(World& world, const CutCase& cut, double tip_x) {
   const auto or_all = [](double length) { return length > 0.0 ? length : std::numeric_limits<double>::infinity(); };
   Window window{.bed = world,
@@ -181,13 +193,16 @@ void advance_window(Window& window, World& world, double tip_x) {
   const double old_high = window.high;
   window.high = high;
   window.low = low;
+  const bool presses = world.ledger.measured && world.mud.pressure > 0.0;
   if (window.entered_discs > 0) let_go(window, world, old_high);
+  const double contacts_before = presses ? contact_strain(world) : 0.0;
   world.domain.x_low = std::max(world.domain.x_low, window.low);
   world.room.joint_forces.clear();  // of the last step, in the numbers of then
   world.room.contact_forces.clear();
   let_in(window, world, high);
   hold_ends(window, world);
   prepare(world);
+  if (presses) world.ledger.accounts.entered += contact_strain(world) - contacts_before;
 }
 
 }  // namespace bitrock::dem2d

@@ -46,7 +46,7 @@ void write_cracks(base::Hdf5Writer& file, const std::vector<Crack>& cracks) {
   whole("/cracks/disc_2", &Crack::disc2, "id of the second disc");
 }
 
-void write_energies(base::Hdf5Writer& file, const std::vector<Energies>& energies) {
+void write_energies(base::Hdf5Writer& file, const std::vector<Energies>& energies, bool under_mud) {
   if (energies.empty()) return;
   const auto write = [&](const std::string& name, double Energies::*member, const char* meaning) {
     std::vector<double> values;
@@ -66,6 +66,19 @@ void write_energies(base::Hdf5Writer& file, const std::vector<Energies>& energie
   write("switching", &Energies::switching, "lost by springs that closed or opened within a step so far");
   write("removed", &Energies::removed, "gone with discs that left the domain so far");
   write("injected", &Energies::injected, "net, by contacts that took over from joints so far");
+  if (!under_mud) return;
+  write("mud_work", &Energies::mud_work, "work of the mud on the rock so far");
+  write("entered", &Energies::entered, "elastic, of rock that came in under pressure so far");
+}
+
+/// What the mud did; nothing without mud.
+void write_settled(base::Hdf5Writer& file, const CutRun& run) {
+  if (run.settled.steps == 0) return;
+  file.attribute("surface_drop_m", run.settled.surface_drop);
+  file.attribute("shortening_m", run.settled.shortening);
+  file.attribute("broken_elements", static_cast<long long>(run.settled.cracks));
+  file.attribute("settling_steps", run.settled.steps);
+  file.attribute("forced_entries", static_cast<long long>(run.forced_entries));
 }
 
 }  // namespace
@@ -96,6 +109,7 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
     file.attribute("energy_residual_fraction", run.energy_residual_fraction);
     file.attribute("energy_injected_fraction", run.energy_injected_fraction);
   }
+  write_settled(file, run);
   file.attribute("wall_s", run.wall_time);
   file.attribute("core_s", run.core_time);
   file.attribute("ns_per_disc_step", run.nanoseconds_per_disc_step);
@@ -103,7 +117,7 @@ void write_run(const CutRun& run, const CutCase& cut, std::uint64_t seed, const 
   file.array("/force/time_s", run.time, "s", "end of the sampling interval");
   file.array("/force/x_N_per_m", run.force_x, "N/m", "resistance to cutting, mean over the sampling interval");
   file.array("/force/y_N_per_m", run.force_y, "N/m", "push out of the rock, mean over the sampling interval");
-  write_energies(file, run.energies);
+  write_energies(file, run.energies, cut.mud_pressure > 0.0);
   write_cracks(file, run.cracks);
   write_frames(file, run.frames);
   file.attribute("status", "complete");
@@ -118,6 +132,16 @@ double positive_attribute(const base::Hdf5Reader& file, const char* name) {
   const double value = file.number_attribute(name);
   if (value > 0.0) return value;
   throw base::InputError(fmt::format("{}: attribute {} = {} (must be above 0)", file.name(), name, value));
+}
+
+void read_settled(const base::Hdf5Reader& file, CutRun& run) {
+  if (!file.has_attribute("settling_steps")) return;
+  constexpr long long most_count = std::numeric_limits<int>::max();
+  run.settled.surface_drop = file.number_attribute("surface_drop_m");
+  run.settled.shortening = file.number_attribute("shortening_m");
+  run.settled.cracks = static_cast<int>(file.integer_attribute("broken_elements", 0, most_count));
+  run.settled.steps = file.integer_attribute("settling_steps", 1, most_whole);
+  run.forced_entries = static_cast<int>(file.integer_attribute("forced_entries", 0, most_count));
 }
 
 /// Throws unless the crack can be counted and drawn.
@@ -198,6 +222,7 @@ RunFile read_run(const base::Hdf5Reader& file) {
   if (measured) run.energy_residual_fraction = file.number_attribute("energy_residual_fraction");
   if (file.has_attribute("energy_injected_fraction"))  // since physics version 5
     run.energy_injected_fraction = file.number_attribute("energy_injected_fraction");
+  read_settled(file, run);
   run.wall_time = file.number_attribute("wall_s");
   run.core_time = file.has_attribute("core_s") ? file.number_attribute("core_s") : run.wall_time;
   run.nanoseconds_per_disc_step = file.number_attribute("ns_per_disc_step");

@@ -28,7 +28,8 @@ constexpr double points_to_expected_strength = 500.0;
 
 // A test without a peak is given up at this many times the expected strain.
 // Unbonded joints soften: with half of them slit a core under tension has a twentieth of its modulus.
-constexpr double strains_given_up = 5.0, strains_given_up_unbonded = 25.0;
+// Under pressure a core may never fall: what it carries at so many times the expected strain is its strength.
+constexpr double strains_given_up = 5.0, strains_given_up_unbonded = 25.0, strains_under_pressure = 2.5;
 constexpr double most_strain = 0.5;  // and at this strain at the latest: far beyond any rock [1]
 
 // A core has a diameter of at least ten of its largest grains [IsrmUniaxial1979].
@@ -60,8 +61,10 @@ double share_bonded(const Rock& rock) {
 
 double largest_strain(LabTest test, const Rock& rock, const LabSettings& settings) {
   if (settings.largest_strain > 0.0) return settings.largest_strain;
-  const double times = share_bonded(rock) < 1.0 ? strains_given_up_unbonded : strains_given_up;
-  return std::min(times * expected_strain(test, rock), most_strain);
+  const double times = settings.confining_pressure > 0.0 ? strains_under_pressure
+                       : share_bonded(rock) < 1.0        ? strains_given_up_unbonded
+                                                         : strains_given_up;
+  return std::min(times * expected_strain(test, rock, settings.confining_pressure), most_strain);
 }
 
 void refuse_endless_test(LabTest test, const Rock& rock, const LabSettings& settings, const std::string& source) {
@@ -76,7 +79,7 @@ void refuse_endless_test(LabTest test, const Rock& rock, const LabSettings& sett
 }
 
 Schedule plan(const LoadFrame& frame, const Rock& rock, const LabSettings& settings) {
-  const double expected = expected_strain(frame.test, rock);
+  const double expected = expected_strain(frame.test, rock, settings.confining_pressure);
   const double rate = 2.0 * frame.end_speed / frame.length;
   const double strain_per_step = rate * frame.world.step;
   const double bonded = share_bonded(rock);
@@ -189,7 +192,9 @@ void load_to_failure(LoadFrame& frame, const Schedule& schedule, LabRun& run, co
     slack = interval.stress <= slack_share * peak ? slack + 1 : 0;
     const bool severed = schedule.may_part_unbroken && counted > 0 && slack >= slack_points;
     broken = severed || (counted >= schedule.least_cracks && interval.stress <= schedule.stop_fraction * peak);
-    if (!broken && ends >= schedule.largest_strain) give_up(run, schedule, peak);
+    if (broken || ends < schedule.largest_strain) continue;
+    if (run.confining_pressure == 0.0) give_up(run, schedule, peak);
+    return;  // it goes on by friction
   }
 }
 
@@ -203,6 +208,8 @@ const char* name_of(LabTest test) {
       return "tension";
     case LabTest::brazilian:
       return "brazilian";
+    case LabTest::triaxial:
+      return "triaxial";
   }
   return "";
 }
@@ -225,6 +232,11 @@ void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& setti
   require(within(settings.platen_friction, 0.0, 10.0), "platen friction", settings.platen_friction, "0 to 10");
   require(within(settings.stop_fraction, 0.0, 0.99), "stop fraction", settings.stop_fraction, "0 to 0.99");
   require(within(settings.largest_strain, 0.0, 0.9), "largest strain", settings.largest_strain, "0 to 0.9");
+  require(within(settings.confining_pressure, 0.0, 1e9), "confining pressure [Pa]", settings.confining_pressure,
+          "0 to 1e9");
+  if (test != LabTest::triaxial)
+    require(settings.confining_pressure == 0.0, "confining pressure [Pa]", settings.confining_pressure,
+            "0 but in a triaxial test");
   if (test == LabTest::tension) {
     const double grip = grip_height(rock.radius_max, settings);
     require(settings.grip_height >= 0.0 && 2.0 * grip <= 0.5 * settings.height, "grip height [mm]", 1e3 * grip,
@@ -267,6 +279,7 @@ LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& s
   LoadFrame frame = make_load_frame(test, specimen, settings);
   const Schedule schedule = plan(frame, specimen.rock, settings);
   LabRun run{.test = test, .seed = specimen.seed, .width = specimen.width, .height = specimen.height};
+  run.confining_pressure = settings.confining_pressure;
   run.discs = frame.world.discs.count();
   run.joints = frame.world.joints.count();
   run.strain_rate = 2.0 * frame.end_speed / frame.length;

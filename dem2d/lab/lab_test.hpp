@@ -1,10 +1,12 @@
 #pragma once
 /// Strength tests on synthetic rock, as a rock mechanics laboratory does them: uniaxial compression between platens,
-/// direct tension by gripped ends, and the Brazilian test of a disc squeezed across its diameter.
+/// the same in a cell under pressure (triaxial), direct tension by gripped ends, and the Brazilian test of a disc
+/// squeezed across its diameter.
 ///
 /// **Equation.** With the mean F of the forces at the two ends, per metre of thickness,
 ///
 ///     ucs, tension:  stress = F / width            brazilian:  stress = 2 F / (pi D)
+///     triaxial:      stress = F / width, above the confining pressure p: strength along the load = p + largest stress
 ///
 /// strain and lateral strain are the slopes of the plane fitted to the displacements of all discs of the middle half of
 /// the core (strain.hpp), so that neither platens nor grips enter; in the Brazilian test strain is the shortening of
@@ -15,7 +17,13 @@
 ///     crack initiation stress = stress when 1 % of the cracks that exist at the peak exist
 ///     uncracked E and nu = the same secants, from 0 to the first crack, where that is below half the strength
 ///
-/// **Signs.** Stress and strains are positive in compression in `ucs` and `brazilian`, in extension in `tension`.
+/// **Triaxial.** The core floats in the fluid of the cell, which presses on its outer face (fluid/mud.hpp) all round,
+/// so it may bulge and split; it is brought to rest under p first (specimen/press.hpp), and strains count from there.
+/// The fluid is behind the platens, too, so that they carry only what is above p. It does not enter the core, as
+/// through a jacket. In two dimensions there is no intermediate stress.
+///
+/// **Signs.** Stress and strains are positive in compression in `ucs`, `triaxial` and `brazilian`, in extension in
+/// `tension`.
 ///
 /// **Symbols.** F [N/m]; width, D [m]; stress, E [Pa]; strain, nu [1].
 ///
@@ -27,9 +35,10 @@
 ///
 /// **End.** Cores are loaded until the stress has fallen to 0.8 of its peak. The halves of a split Brazilian disc can
 /// carry more than the disc did; its strength is the load at primary fracture [IsrmTensile1978], so it is loaded only
-/// until the stress has fallen to 0.95 of its peak. No fall counts before there are cracks enough for a fracture
-/// through the core: width over the largest grain's diameter, times the share of joints that were bonded. A core with
-/// unbonded joints is severed also when it stays below 0.1 of its peak.
+/// until the stress has fallen to 0.95 of its peak. A core under pressure may go on by friction without a fall: then
+/// its strength is the largest stress up to `largest_strain`. No fall counts before there are cracks enough for a
+/// fracture through the core: width over the largest grain's diameter, times the share of joints that were bonded. A
+/// core with unbonded joints is severed also when it stays below 0.1 of its peak.
 ///
 /// **Differences and validity.** The loading is dynamic and slow (loading_rate.hpp); `LabRun::imbalance` says how far
 /// it is from equilibrium. A core starts with the velocity field of uniform straining, so no wave runs through it when
@@ -39,6 +48,7 @@
 /// margin (step/step.hpp) covers them. After the peak, when the core falls to pieces, strains of the middle half mean
 /// little.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -48,20 +58,24 @@
 
 namespace bitrock::dem2d {
 
-/// Uniaxial compression, direct tension, Brazilian disc.
-enum class LabTest { ucs, tension, brazilian };
+/// Uniaxial compression, direct tension, Brazilian disc, compression under a confining pressure.
+enum class LabTest { ucs, tension, brazilian, triaxial };
+
+/// All of them.
+inline constexpr std::array lab_tests{LabTest::ucs, LabTest::tension, LabTest::brazilian, LabTest::triaxial};
 
 struct LabSettings {
-  double width = 50e-3;          ///< of the core; brazilian: diameter of the disc [m]
-  double height = 100e-3;        ///< of the core; not used by brazilian [m]
-  double strain_rate = 0.0;      ///< [1/s]; 0: default_strain_rate
-  double local_damping = 0.1;    ///< alpha; the same as of a cut (loading_rate.hpp) [1]
-  double platen_friction = 0.0;  ///< [1]
-  double grip_height = 2e-3;     ///< of each end held in tension; at least 1.5 largest diameters are held [m]
+  double width = 50e-3;             ///< of the core; brazilian: diameter of the disc [m]
+  double height = 100e-3;           ///< of the core; not used by brazilian [m]
+  double strain_rate = 0.0;         ///< [1/s]; 0: default_strain_rate
+  double local_damping = 0.1;       ///< alpha; the same as of a cut (loading_rate.hpp) [1]
+  double platen_friction = 0.0;     ///< [1]
+  double confining_pressure = 0.0;  ///< p of a triaxial test [Pa]
+  double grip_height = 2e-3;        ///< of each end held in tension; at least 1.5 largest diameters are held [m]
   double stop_fraction =
       0.0;  ///< the test ends when the stress has fallen to this share of the peak [1]; 0: 0.8, brazilian 0.95
   double largest_strain = 0.0;  ///< at which a test without a peak is given up [1]; 0: 5 times what is expected,
-                                ///< 25 times with unbonded joints
+                                ///< 25 times with unbonded joints, 2.5 times under pressure
 };
 
 /// One point of the curve: means over the steps since the point before.
@@ -84,8 +98,9 @@ struct LabRun {
   LabTest test;                          ///< that was made
   std::uint64_t seed = 0;                ///< of the specimen
   double width = 0.0, height = 0.0;      ///< of the specimen's box [m]
+  double confining_pressure = 0.0;       ///< p [Pa]; 0 but in a triaxial test
   int discs = 0, joints = 0;             ///< at the start
-  double peak_stress = 0.0;              ///< the strength [Pa]
+  double peak_stress = 0.0;              ///< the strength, above p [Pa]
   double strain_at_peak = 0.0;           ///< [1]
   double youngs_modulus = 0.0;           ///< [Pa]; brazilian: NaN, the test does not give it
   double poissons_ratio = 0.0;           ///< [1]; brazilian: NaN
@@ -105,7 +120,7 @@ struct LabRun {
   LabState last;                 ///< for the picture
 };
 
-/// The name used on the command line and in files: ucs, tension, brazilian.
+/// The name used on the command line and in files: ucs, tension, brazilian, triaxial.
 const char* name_of(LabTest test);
 
 /// Throws `InputError` beginning with `source` when the settings make no test of this rock.

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "base/errors.hpp"
 #include "dem2d/lab/loading_rate.hpp"
 #include "dem2d/lab/strain.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/specimen/pieces.hpp"
+#include "dem2d/specimen/press.hpp"
 #include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
 
@@ -139,6 +141,26 @@ void place_ends(LoadFrame& frame, const Specimen& specimen, const LabSettings& s
   frame.length = frame.high - frame.low;
 }
 
+/// Brings the core to rest in the fluid of the cell; the ends, the section and the start of all strains are then those
+/// of the pressed core.
+void confine(LoadFrame& frame, const Rock& rock, const LabSettings& settings) {
+  World& world = frame.world;
+  world.mud.seal_gap = usual_seal_gap_over_radius * rock.radius_min;
+  prepare(world);
+  world.step = critical_step(world);
+  press(world, rock, settings.confining_pressure, "the confining pressure [MPa]");
+  const DisplacementGradient strain = fit_gradient(frame.start_x, frame.start_y, world.discs.x, world.discs.y);
+  const auto mean = [](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  };
+  const double middle_before = mean(frame.start_y), middle = mean(world.discs.y);
+  for (double* end : {&frame.low, &frame.high}) *end = middle + (*end - middle_before) * (1.0 + strain.yy);
+  frame.length = frame.high - frame.low;
+  frame.section *= 1.0 + strain.xx;
+  frame.start_x = world.discs.x;
+  frame.start_y = world.discs.y;
+}
+
 }  // namespace
 
 double grip_height(double largest_radius, const LabSettings& settings) {
@@ -151,7 +173,6 @@ LoadFrame make_load_frame(LabTest test, const Specimen& box, const LabSettings& 
   place_ends(frame, specimen, settings);
   const double rate =
       settings.strain_rate > 0.0 ? settings.strain_rate : default_strain_rate(test, specimen.rock, settings);
-  frame.end_speed = 0.5 * rate * frame.length;
   frame.direction = test == LabTest::tension ? 1.0 : -1.0;
   frame.section = test == LabTest::brazilian ? 0.5 * std::numbers::pi * frame.length : specimen.width;
 
@@ -162,6 +183,8 @@ LoadFrame make_load_frame(LabTest test, const Specimen& box, const LabSettings& 
   world.domain = {-margin, -margin, specimen.width + margin, specimen.height + margin};
   frame.start_x = world.discs.x;
   frame.start_y = world.discs.y;
+  if (settings.confining_pressure > 0.0) confine(frame, specimen.rock, settings);
+  frame.end_speed = 0.5 * rate * frame.length;
   const std::size_t discs = world.discs.x.size();
   frame.held.assign(discs, 0);
   frame.measured.assign(discs, 0);

@@ -1,6 +1,7 @@
 #pragma once
-/// The load frame of the laboratory: a core between two platens (ucs, brazilian) or held by its two ends (tension), and
-/// what is measured on it. The ends move towards or away from each other at equal and opposite constant speed.
+/// The load frame of the laboratory: a core between two platens (ucs, triaxial, brazilian) or held by its two ends
+/// (tension), and what is measured on it. The ends move towards or away from each other at equal and opposite constant
+/// speed.
 ///
 /// Platens are flat, rigid boundaries. Discs that overlap a platen at the start do so without force, so the core starts
 /// stress-free. Grips hold the discs whose centres lie in the end layers: those have a given velocity and no spin,

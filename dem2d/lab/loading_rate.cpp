@@ -17,6 +17,9 @@ constexpr double tension_per_joint_strength = 0.65;
 // unless joints break in shear before: then it carries this share of the Mohr-Coulomb strength of a joint.
 constexpr double compression_per_shear_strength = 0.8, most_compression_per_tension = 10.0;
 
+// What a core carries more, above a confining pressure, for this pressure: that of a friction angle of 30 degrees.
+constexpr double strength_per_pressure = 2.0;
+
 // The disc of the Brazilian test shortens about this many times strength / E until it breaks: the stress along the
 // loaded diameter is three times the tension across it in the middle, and more near the platens.
 constexpr double brazilian_shortening = 5.0;
@@ -26,26 +29,28 @@ constexpr double most_expected_strain = 0.2;
 
 }  // namespace
 
-double expected_strength(LabTest test, const Rock& rock) {
+double expected_strength(LabTest test, const Rock& rock, double confining_pressure) {
   const double tension = tension_per_joint_strength * rock.tensile_strength;
-  if (test != LabTest::ucs) return tension;
+  if (test == LabTest::tension || test == LabTest::brazilian) return tension;
   const double sine = std::sin(rock.friction_angle);
   const double shear = 2.0 * rock.cohesion * std::cos(rock.friction_angle) / (1.0 - sine);  // Mohr-Coulomb
-  return std::min(compression_per_shear_strength * shear, most_compression_per_tension * tension);
+  return std::min(compression_per_shear_strength * shear, most_compression_per_tension * tension) +
+         strength_per_pressure * confining_pressure;
 }
 
 double default_strain_rate(LabTest test, const Rock& rock, const LabSettings& settings) {
-  const double transits = test == LabTest::ucs       ? transits_compression
-                          : test == LabTest::tension ? transits_tension
-                                                     : transits_brazilian;
+  const double transits = test == LabTest::tension     ? transits_tension
+                          : test == LabTest::brazilian ? transits_brazilian
+                                                       : transits_compression;
   const double length = specimen_box(test, settings).height;
   const double wave_speed = std::sqrt(rock.joint_modulus / rock.density);
   return expected_strain(test, rock) * wave_speed / (transits * length);
 }
 
-double expected_strain(LabTest test, const Rock& rock) {
+double expected_strain(LabTest test, const Rock& rock, double confining_pressure) {
   const double factor = test == LabTest::brazilian ? brazilian_shortening : 1.0;
-  return std::min(factor * expected_strength(test, rock) / rock.joint_modulus, most_expected_strain);
+  return std::min(factor * expected_strength(test, rock, confining_pressure) / rock.joint_modulus,
+                  most_expected_strain);
 }
 
 double expected_step(const Rock& rock) {

@@ -27,14 +27,14 @@
 
 namespace bitrock::dem2d {
 
-/// Rough strength [Pa] from the joints' strengths: only to choose rates and limits.
-double expected_strength(LabTest test, const Rock& rock);
+/// Rough strength [Pa] from the joints' strengths, above the confining pressure [Pa]: only to choose rates and limits.
+double expected_strength(LabTest test, const Rock& rock, double confining_pressure = 0.0);
 
-/// [1/s]
+/// [1/s] Of a triaxial test that of the same core without pressure, so that a series has one rate.
 double default_strain_rate(LabTest test, const Rock& rock, const LabSettings& settings);
 
 /// Strain between the ends at the expected strength [1].
-double expected_strain(LabTest test, const Rock& rock);
+double expected_strain(LabTest test, const Rock& rock, double confining_pressure = 0.0);
 
 /// Roughly the critical step, of a disc between four neighbours of its size [s]: only for limits and estimates; that of
 /// a packed core is found when it is made.

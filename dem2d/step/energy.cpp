@@ -76,6 +76,12 @@ double joint_energy(const World& world, std::size_t joint) {
   return energy;
 }
 
+double contact_strain(const World& world) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < world.contacts.disc1.size(); ++c) sum += contact_energy(world, c);
+  return sum;
+}
+
 Energies read_energies(const World& world) {
   const Discs& d = world.discs;
   const EnergyAccounts& gone = world.ledger.accounts;
@@ -85,7 +91,9 @@ Energies read_energies(const World& world) {
                .breaking = gone.breaking + sum(world.joints.breaking_loss),
                .switching = gone.switching + sum(world.joints.switching_loss) + sum(world.contacts.switching_loss),
                .removed = gone.removed,
-               .injected = gone.injected};
+               .injected = gone.injected,
+               .entered = gone.entered,
+               .mud_work = world.mud.work};
   const double alpha = world.materials.local_damping, dt = world.step;
   for (std::size_t i = 0; i < d.x.size(); ++i) {
     for (const Component& part : {at_instant(d.mass[i], d.inverse_mass[i], d.velocity_x[i], d.force_x[i], alpha, dt),
@@ -96,7 +104,7 @@ Energies read_energies(const World& world) {
     }
   }
   for (std::size_t j = 0; j < world.joints.disc1.size(); ++j) now.strain_joints += joint_energy(world, j);
-  for (std::size_t c = 0; c < world.contacts.disc1.size(); ++c) now.strain_contacts += contact_energy(world, c);
+  now.strain_contacts = contact_strain(world);
   for (const Boundary& boundary : world.boundaries) {
     now.boundary_work += boundary.work;
     for (const int disc : boundary.near)
@@ -105,12 +113,29 @@ Energies read_energies(const World& world) {
   return now;
 }
 
+Energies since(const Energies& start, const Energies& now) {
+  return {.kinetic = now.kinetic - start.kinetic,
+          .strain_joints = now.strain_joints - start.strain_joints,
+          .strain_contacts = now.strain_contacts - start.strain_contacts,
+          .strain_boundaries = now.strain_boundaries - start.strain_boundaries,
+          .friction = now.friction - start.friction,
+          .dashpots = now.dashpots - start.dashpots,
+          .local_damping = now.local_damping - start.local_damping,
+          .breaking = now.breaking - start.breaking,
+          .switching = now.switching - start.switching,
+          .removed = now.removed - start.removed,
+          .injected = now.injected - start.injected,
+          .entered = now.entered - start.entered,
+          .boundary_work = now.boundary_work - start.boundary_work,
+          .mud_work = now.mud_work - start.mud_work};
+}
+
 double energy_residual(const Energies& start, const Energies& now) {
   const auto found = [](const Energies& e) {
     return e.kinetic + e.strain_joints + e.strain_contacts + e.strain_boundaries + e.friction + e.dashpots +
            e.local_damping + e.breaking + e.switching + e.removed;
   };
-  const auto given = [](const Energies& e) { return e.boundary_work + e.injected; };
+  const auto given = [](const Energies& e) { return e.boundary_work + e.mud_work + e.entered + e.injected; };
   return (given(now) - given(start)) - (found(now) - found(start));
 }
 

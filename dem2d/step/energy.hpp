@@ -4,7 +4,7 @@
 ///
 /// **Balance.** For any two instants,
 ///
-///     work of boundaries + injected =
+///     work of boundaries + work of mud + entered + injected =
 ///         change of (kinetic + strain) + friction + dashpots + local damping + breaking + switching + removed +
 ///         residual
 ///
@@ -48,12 +48,17 @@ struct Energies {
   double removed = 0.0;        ///< with discs that left the domain
   double injected = 0.0;       ///< net, by contacts that took over from joints, and by joints that enter the
                                ///< window of a cut strained
+  double entered = 0.0;        ///< elastic, of rock that enters the window of a cut: the mud has pressed it already
   double boundary_work = 0.0;  ///< of all boundaries on the discs
+  double mud_work = 0.0;       ///< of the mud on the discs: mostly negative, debris takes more room than rock
 };
 
 /// The ledger at this instant. Call between `find_forces` and `move` with `measure_energy` on. Sums run in the order of
 /// the lists, so the numbers are the same for any number of threads.
 Energies read_energies(const World& world);
+
+/// What has come since `start`, entry by entry.
+Energies since(const Energies& start, const Energies& now);
 
 /// Work and injected energy since `start` that is found nowhere [J/m].
 double energy_residual(const Energies& start, const Energies& now);
@@ -79,6 +84,9 @@ JointPosition joint_position(const World& world, std::size_t joint);
 
 /// Elastic energy in a joint [J/m].
 double joint_energy(const World& world, std::size_t joint);
+
+/// Elastic energy in all contacts of loose discs [J/m].
+double contact_strain(const World& world);
 
 /// Half a step's work of the last force of joint or contact `place` on its two discs [J/m]. What ends between two
 /// instants has worked over half a step less than the leap-frog books assume.

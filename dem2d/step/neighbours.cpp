@@ -264,6 +264,7 @@ void refresh_neighbours(World& world) {
   list_boundary_neighbours(world);
   std::fill(world.lists.most_strayed.begin(), world.lists.most_strayed.end(), 0.0);
   world.lists.valid = true;
+  ++world.lists.version;
 }
 
 }  // namespace bitrock::dem2d

@@ -17,7 +17,10 @@ void write_slots(World& world, const Share& share) {
 #pragma omp barrier
   joint_forces(world, share);
   contact_forces(world, share);
-  if (share.thread == 0) boundary_forces(world);  // few discs are near a boundary: not worth threads
+  if (share.thread == 0) {  // few discs are near a boundary or meet the mud: not worth threads
+    boundary_forces(world);
+    mud_forces(world);
+  }
 }
 
 void find_forces_in_team(World& world, const Share& share) {
@@ -54,6 +57,7 @@ void collect_cracks(World& world) {
 }
 
 void finish_step(World& world) {
+  book_mud_work(world);
   move_boundaries(world);
   collect_cracks(world);
   world.time += world.step;
@@ -63,6 +67,7 @@ void finish_step(World& world) {
 
 void advance(World& world) {
   refresh_neighbours(world);
+  refresh_mud(world);
   with_team(world, [&world](const Share& share) {
     find_forces_in_team(world, share);
     integrate(world, share);  // touches only the discs that this thread has summed
@@ -72,6 +77,7 @@ void advance(World& world) {
 
 void find_forces(World& world) {
   refresh_neighbours(world);
+  refresh_mud(world);
   with_team(world, [&world](const Share& share) { find_forces_in_team(world, share); });
 }
 

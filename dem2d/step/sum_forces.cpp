@@ -130,6 +130,17 @@ void add_boundaries(World& world, const Range& range) {
   }
 }
 
+void add_mud(World& world, const Range& range) {
+  const Mud& mud = world.mud;
+  if (mud.pressure == 0.0) return;
+  for (std::size_t k = 0; k < mud.faces.stops.size(); ++k) {
+    const int disc = mud.faces.stops[k].disc;
+    if (!holds(range, disc)) continue;
+    world.discs.force_x[static_cast<std::size_t>(disc)] += mud.force_x[k];
+    world.discs.force_y[static_cast<std::size_t>(disc)] += mud.force_y[k];
+  }
+}
+
 }  // namespace
 
 void sum_forces(World& world, const Share& share) {
@@ -138,6 +149,7 @@ void sum_forces(World& world, const Share& share) {
   add_joints_without_place(world, range);
   add_contacts(world, range);
   add_boundaries(world, range);
+  add_mud(world, range);
 }
 
 }  // namespace bitrock::dem2d

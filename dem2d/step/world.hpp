@@ -11,6 +11,7 @@
 
 #include "dem2d/contact/flat_joint.hpp"
 #include "dem2d/contact/linear_contact.hpp"
+#include "dem2d/fluid/mud.hpp"
 #include "dem2d/tool/convex_polygon.hpp"
 
 namespace bitrock::dem2d {
@@ -140,8 +141,10 @@ struct Boundary {
   double friction = 0.0;                      ///< mu [1]
   double damping_ratio = 0.0;                 ///< beta [1]
   double shear_damping_ratio = 0.0;           ///< beta_s [1]
+  bool seals = false;                         ///< whether it keeps mud from the discs that touch it
 
   double force_x = 0.0, force_y = 0.0;    ///< of the discs on the boundary at the last step [N/m]
+  double mud_x = 0.0, mud_y = 0.0;        ///< of the mud, which presses on all of it but where it seals [N/m]
   double moved_x = 0.0, moved_y = 0.0;    ///< in the last step [m]
   double displaced = 0.0;                 ///< path since the neighbour lists were made [m]
   std::vector<int> near;                  ///< discs that can touch before the lists are made anew
@@ -207,6 +210,7 @@ struct EnergyAccounts {
   double breaking = 0.0;
   double removed = 0.0;   ///< kinetic and elastic energy of discs that left the domain
   double injected = 0.0;  ///< net, by contacts that took over from joints, and by joints that enter strained
+  double entered = 0.0;   ///< elastic, of rock that enters the window of a cut as strained as the bed is
 };
 
 /// What does not change while discs move.
@@ -224,6 +228,7 @@ struct Materials {
 /// Who can meet whom, and how long that holds (step/neighbours.hpp).
 struct NeighbourLists {
   bool valid = false;
+  long long version = 0;                   ///< counts how often they were made anew: numbers of discs may have changed
   double skin = 0.0;                       ///< lists hold every pair closer than this [m]
   std::vector<double> most_strayed;        ///< largest (moved^2 - margin^2) of any disc, one entry a thread [m2]
   std::vector<double> listed_x, listed_y;  ///< position of each disc when it was last listed [m]
@@ -262,6 +267,7 @@ struct World {
   bool reference_path = false;  ///< every joint element by element, also the wholly bonded ones
 
   Materials materials;
+  Mud mud;
   NeighbourLists lists;
   StepRoom room;
   Ledger ledger;

@@ -32,7 +32,7 @@ INPUTS = {
     "target.toml": '[target]\nname = "small"\nyoungs_modulus_GPa = 1.6\n\n[start]\nrock = "quick_start.toml"\n\n'
                    "[calibration]\nseeds = 1\nscouting_seeds = 1\nmost_evaluations = 4\ntolerance_percent = 20\n",
     "cut.toml": 'rock = "rock.toml"\n\n[cut]\ncutter_speed_m_per_s = 2\ndepth_of_cut_mm = 2\nback_rake_deg = 15\n'
-                "cut_length_mm = 4\n\n[bed]\nlength_mm = 20\nheight_mm = 10\n",
+                "cut_length_mm = 4\n\n[bed]\nlength_mm = 20\nheight_mm = 10\n\n[fluid]\npressure_MPa = 5\n",
     "study.toml": 'rock = "rock.toml"\nseeds = [1]\n\n[grid]\ncutter_speeds_m_per_s = [2]\ndepths_of_cut_mm = [2, 3]\n'
                   "back_rakes_deg = [15]\n\n[cut]\ncut_length_mm = 4\n\n[bed]\nlength_mm = 20\nheight_mm = 10\n",
 }
@@ -46,6 +46,7 @@ RUNS = [
     ("specimen --check", "specimen rock.toml --check"),
     ("lab --check", "lab ucs quick_start.toml --check"),
     ("lab", "lab ucs quick_start.toml --seeds 1,2 --rate-check -o lab"),
+    ("lab triaxial", "lab triaxial quick_start.toml --seeds 1,2 --confining-pressures-MPa 0,5"),
     ("calibrate", "calibrate target.toml -o calibrated.toml --validate-seeds 101"),
     ("calibrate --check", "calibrate target.toml --check -o another.toml"),
     ("cut", "cut cut.toml --frames 2 -o run.h5"),

@@ -264,6 +264,7 @@ namespace {
 std::vector<base::Section> describe_resolved(Study& study) {
   std::vector<base::Section> sections = describe_common(study);
   leave_out_rock_file(sections);
+  dem2d::leave_out_unused(sections, study.common);
   const bool from_table = !study.table.cutter_speed.empty();
   sections.push_back(from_table ? describe(study.table) : describe(study.grid));
   if (study.by_depth) {

@@ -10,8 +10,8 @@
 
 namespace bitrock::studies {
 
-/// Curve or picture of one seed: TEST_seed_N with this ending.
-std::filesystem::path file_of(const std::filesystem::path& folder, dem2d::LabTest test, std::uint64_t seed,
+/// Curve or picture of one core: TEST_seed_N with this ending, triaxial_PMPa_seed_N under a pressure P.
+std::filesystem::path file_of(const std::filesystem::path& folder, dem2d::LabTest test, const LabCore& core,
                               const char* ending);
 /// The curves of all seeds together.
 std::filesystem::path file_of_all(const std::filesystem::path& folder, dem2d::LabTest test);

@@ -11,6 +11,7 @@
 #include "base/csv.hpp"
 #include "base/errors.hpp"
 #include "base/parallel.hpp"
+#include "base/units.hpp"
 #include "dem2d/lab/loading_rate.hpp"
 #include "dem2d/step/cost.hpp"
 
@@ -37,10 +38,16 @@ dem2d::LabSettings at_half_rate(const dem2d::LabSettings& settings) {
   return slower;
 }
 
-dem2d::Specimen specimen_of(const LabSeries& series, std::size_t place) {
+dem2d::Specimen specimen_of(const LabSeries& series, const LabCore& core) {
   if (series.given) return *series.given;
   const dem2d::LabBox box = dem2d::specimen_box(series.test, series.settings);
-  return dem2d::make_specimen(series.rock, box.width, box.height, series.seeds[place], 1);
+  return dem2d::make_specimen(series.rock, box.width, box.height, core.seed, 1);
+}
+
+dem2d::LabSettings settings_of(const LabSeries& series, const LabCore& core) {
+  dem2d::LabSettings settings = series.settings;
+  settings.confining_pressure = core.pressure;
+  return settings;
 }
 
 /// What came of one seed. Neither a run nor a reason: its test was stopped or never begun.
@@ -49,17 +56,17 @@ struct Tested {
   std::string why_failed;
 };
 
-LabResults sorted(const LabSeries& series, std::vector<Tested>& tested) {
+LabResults sorted(const LabSeries& series, const std::vector<LabCore>& cores, std::vector<Tested>& tested) {
   LabResults results;
   for (std::size_t place = 0; place < tested.size(); ++place) {
     Tested& one = tested[place];
     if (!one.why_failed.empty()) {
-      results.failures.emplace_back(series.seeds[place], one.why_failed);
+      results.failures.emplace_back(cores[place].seed, one.why_failed);
     } else if (one.run && (one.half_rate || !series.rate_check)) {
       results.runs.push_back(std::move(*one.run));
       if (one.half_rate) results.half_rate.push_back(std::move(*one.half_rate));
     } else {
-      results.not_tested.push_back(series.seeds[place]);
+      results.not_tested.push_back(cores[place].seed);
     }
   }
   return results;
@@ -67,8 +74,18 @@ LabResults sorted(const LabSeries& series, std::vector<Tested>& tested) {
 
 }  // namespace
 
+std::vector<LabCore> cores_of(const LabSeries& series) {
+  std::vector<LabCore> cores;
+  cores.reserve(series.pressures.size() * series.seeds.size());
+  for (const double pressure : series.pressures) {
+    for (const std::uint64_t seed : series.seeds) cores.push_back({seed, pressure});
+  }
+  return cores;
+}
+
 void complete(LabSeries& series, const std::string& rock_file) {
-  dem2d::check_lab_settings(series.test, series.rock, series.settings, rock_file);
+  for (const LabCore& core : cores_of(series))
+    dem2d::check_lab_settings(series.test, series.rock, settings_of(series, core), rock_file);
   if (series.settings.strain_rate == 0.0)
     series.settings.strain_rate = dem2d::default_strain_rate(series.test, series.rock, series.settings);
   if (series.rate_check) dem2d::check_lab_settings(series.test, series.rock, at_half_rate(series.settings), rock_file);
@@ -100,7 +117,8 @@ void take_given(LabSeries& series, dem2d::Specimen given) {
 
 LabResults run_series(const LabSeries& series, int jobs, const base::ProgressCallback& progress,
                       const std::function<void(const dem2d::LabRun&)>& finished) {
-  const std::size_t count = series.seeds.size();
+  const std::vector<LabCore> cores = cores_of(series);
+  const std::size_t count = cores.size();
   std::vector<Tested> tested(count);
   base::SharedProgress shared(count, progress);
   const double all_of_one = series.rate_check ? with_half_rate : 1.0;
@@ -113,14 +131,15 @@ LabResults run_series(const LabSeries& series, int jobs, const base::ProgressCal
     };
     Tested& mine = tested[place];
     try {
-      const dem2d::Specimen specimen = specimen_of(series, place);
-      mine.run = dem2d::run_lab_test(series.test, specimen, series.settings, part_of(0.0, 1.0));
+      const dem2d::Specimen specimen = specimen_of(series, cores[place]);
+      const dem2d::LabSettings settings = settings_of(series, cores[place]);
+      mine.run = dem2d::run_lab_test(series.test, specimen, settings, part_of(0.0, 1.0));
       {
         const std::lock_guard lock(telling);
         finished(*mine.run);
       }
       if (!series.rate_check) return;
-      mine.half_rate = dem2d::run_lab_test(series.test, specimen, at_half_rate(series.settings), part_of(1.0, 2.0));
+      mine.half_rate = dem2d::run_lab_test(series.test, specimen, at_half_rate(settings), part_of(1.0, 2.0));
     } catch (const base::OutputError&) {
       throw;  // no other could be written either
     } catch (const base::SimulationError& error) {
@@ -134,7 +153,7 @@ LabResults run_series(const LabSeries& series, int jobs, const base::ProgressCal
   } catch (...) {
     ended_by = std::current_exception();
   }
-  LabResults results = sorted(series, tested);
+  LabResults results = sorted(series, cores, tested);
   results.ended_by = ended_by;
   return results;
 }
@@ -160,9 +179,14 @@ LabCost cost_of(const LabSeries& series) {
   LabCost cost;
   cost.discs = series.given ? static_cast<double>(series.given->x.size())
                             : dem2d::expected_discs(series.rock, box.width, box.height);
-  cost.duration = dem2d::expected_strain(series.test, series.rock) / series.settings.strain_rate;
-  cost.core_seconds = dem2d::expected_core_seconds(cost.duration / dem2d::expected_step(series.rock), cost.discs) *
-                      static_cast<double>(series.seeds.size()) * (series.rate_check ? with_half_rate : 1.0);
+  double duration = 0.0;  // of all
+  for (const LabCore& core : cores_of(series)) {
+    const double strain = dem2d::expected_strain(series.test, series.rock, core.pressure);
+    cost.duration = strain / series.settings.strain_rate;
+    duration += cost.duration;
+  }
+  cost.core_seconds = dem2d::expected_core_seconds(duration / dem2d::expected_step(series.rock), cost.discs) *
+                      (series.rate_check ? with_half_rate : 1.0);
   return cost;
 }
 
@@ -212,6 +236,12 @@ std::string command_again(const LabSeries& series) {
   }
   command += fmt::format(" --strain-rate-per-s {} --local-damping {}", series.settings.strain_rate,
                          series.settings.local_damping);
+  if (series.test == dem2d::LabTest::triaxial) {
+    command += " --confining-pressures-MPa ";
+    for (const double pressure : series.pressures)
+      command +=
+          fmt::format("{}{}", pressure == series.pressures.front() ? "" : ",", base::in_units(pressure, base::MPa));
+  }
   if (series.test != dem2d::LabTest::tension)
     command += fmt::format(" --platen-friction {}", series.settings.platen_friction);
   return command;

@@ -22,9 +22,18 @@ struct LabSeries {
   dem2d::Rock rock;
   dem2d::LabSettings settings;
   std::vector<std::uint64_t> seeds;
+  std::vector<double> pressures{0.0};    ///< each seed is tested under each confining pressure [Pa]; triaxial only
   std::optional<dem2d::Specimen> given;  ///< tested in place of cores packed here; `seeds` then holds its seed
   bool rate_check = false;
 };
+
+/// A core that is tested.
+struct LabCore {
+  std::uint64_t seed;
+  double pressure;  ///< [Pa]
+};
+/// All of a series: pressure by pressure, seed by seed.
+std::vector<LabCore> cores_of(const LabSeries& series);
 
 /// The rate of loading is the usual one of the rock where the settings leave it 0. Throws `InputError` when the
 /// settings do not fit the test or the rock.
@@ -53,7 +62,7 @@ void require_all(const LabResults& results);
 /// What the series will cost; discs of one core.
 struct LabCost {
   double discs = 0.0;
-  double duration = 0.0;      ///< [s] simulated, until the expected strength
+  double duration = 0.0;      ///< [s] simulated, until the expected strength; under the last of the pressures
   double core_seconds = 0.0;  ///< of all tests, without packing
 };
 LabCost cost_of(const LabSeries& series);

@@ -256,7 +256,7 @@ TEST_F(Errors, EqualInputsAreRefused) {
   const std::string h5 = (dir / "run.h5").string();
   ASSERT_EQ(run("drill run " + file("case.toml", text) + " -o " + h5).status, 0);
   expect("report " + h5 + " " + dir.path().string() + "/./run.h5 -o " + (dir / "r.html").string(), 2,
-         "are one file (name each run once)");
+         "are one file (name each once)");
   EXPECT_FALSE(fs::exists(dir / "r.html"));
 }
 

@@ -74,6 +74,13 @@ TEST_F(Rebuild, AModelWithoutMomentsIsToldTheWayOut) {
       << done.text;
 }
 
+TEST_F(Rebuild, OneFileUnderTwoNamesIsRefused) {
+  const auto done = run("rebuild " + a_run() + " " + shipped + "runs/../runs/" +
+                        std::filesystem::path(a_run()).filename().string() + " --draws 1");
+  EXPECT_EQ(done.status, 2);
+  EXPECT_NE(done.text.find("are one file (name each once)"), std::string::npos) << done.text;
+}
+
 TEST_F(Rebuild, WhatIsNoCutIsRefusedInWords) {
   base::write_whole(dir / "force.csv", "x_N_per_m\n1\n2\n");
   base::write_whole(dir / "short.h5", base::read_whole(a_run()).substr(0, 5000));

@@ -31,6 +31,20 @@ def test_same_bits_as_the_program(program, small_case, small_run, tmp_path):
         assert seen["features"][axis] == small_run.features[axis].as_dict()
 
 
+def test_a_cut_under_mud_is_the_programs(program, small_case, small_run, tmp_path):
+    mud = tmp_path / "mud.toml"
+    mud.write_text(small_case.read_text() + "\n[fluid]\npressure_MPa = 5\n")
+    seen = program("cut", mud, "--seed", 3, "-o", tmp_path / "run.h5")
+    run, file = bitrock.cut(mud, seed=3), bitrock.read_run(tmp_path / "run.h5")
+    assert_same_runs(file, run)
+    assert_same_runs(bitrock.cut(small_case, seed=3, fluid_pressure_MPa=5), run)
+    assert seen["under_mud"] == run.under_mud == file.under_mud
+    assert run.under_mud["surface_drop_m"] > 0 and small_run.under_mud is None
+    assert run.energy["mud_work_J_per_m"][-1] != 0 and "mud_work_J_per_m" not in small_run.energy
+    with pytest.raises(bitrock.InputError, match="debris"):
+        bitrock.cut(small_case, fluid_pressure_MPa=5, fluid_debris="wet")
+
+
 def test_file_dict_and_keywords_are_one_case(small_case, small_run):
     table = tomllib.loads(small_case.read_text())
     assert_same_runs(bitrock.cut(table, seed=3), small_run)

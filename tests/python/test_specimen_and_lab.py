@@ -39,6 +39,22 @@ def test_same_bits_as_the_program(program, test, recwarn):
 
 
 @pytest.mark.filterwarnings("ignore::bitrock.BitrockWarning")
+def test_triaxial_is_the_programs(program):
+    seen = program("lab", "triaxial", ROCK, "--seeds", "1,2", "--confining-pressures-MPa", "0,5", "--width-mm", 10,
+                   "--height-mm", 20)
+    results = bitrock.lab("triaxial", ROCK, seeds=[1, 2], confining_pressures_MPa=[0, 5], **SMALL_CORE)
+    assert [(run.confining_pressure_Pa, run.seed) for run in results.runs] == [(0, 1), (0, 2), (5e6, 1), (5e6, 2)]
+    assert [run["peak_stress_Pa"] for run in seen["runs"]] == [run.peak_stress_Pa for run in results.runs]
+    for name, value in seen["envelope"]["mean"].items():
+        assert results.envelope[name] == value, name
+        assert results.envelope["sd_" + name] == seen["envelope"]["sd"][name], name
+    with pytest.raises(bitrock.InputError, match="confining_pressures_MPa"):
+        bitrock.lab("triaxial", ROCK)
+    with pytest.raises(bitrock.InputError, match="confining_pressures_MPa"):
+        bitrock.lab("ucs", ROCK, confining_pressures_MPa=[5])
+
+
+@pytest.mark.filterwarnings("ignore::bitrock.BitrockWarning")
 def test_seeds_and_curve():
     by_text = bitrock.lab("tension", ROCK, seeds="2:3", jobs=1, **SMALL_CORE)
     by_list = bitrock.lab("tension", ROCK, seeds=np.array([2, 3]), **SMALL_CORE)
@@ -52,7 +68,7 @@ def test_seeds_and_curve():
 @pytest.mark.parametrize(
     "arguments, sentence",
     [
-        (("shear", {}), "test 'shear' (must be ucs, tension or brazilian)"),
+        (("shear", {}), "test 'shear' (must be ucs, tension, brazilian or triaxial)"),
         (("brazilian", {"height_mm": 10}), "height_mm: a Brazilian disc has its diameter only"),
         (("tension", {"platen_friction": 0.1}), "platen_friction: there are no platens"),
         (("ucs", {"width_mm": 0.0}), "width_mm = 0"),

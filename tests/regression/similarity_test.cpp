@@ -77,6 +77,7 @@ Course drive(const dem2d::CutCase& cut, const dem2d::Specimen& bed, const dem2d:
   dem2d::forgive_overlaps(cutter, world.discs);
   const dem2d::CutSchedule schedule = dem2d::plan_steps(cut, world.step);
   world.step = schedule.step;
+  if (cut.mud_pressure > 0.0) dem2d::settle_under_mud(world, cut);
   dem2d::Window window = dem2d::open_window(world, cut, tip_x);
   Course course{.step = schedule.step};
   for (long long sample = 1; sample <= schedule.samples; ++sample) {
@@ -102,8 +103,8 @@ TEST(Similarity, ARockOfDoubledGrainsIsPackedFromTheSameSeedDoubled) {
   EXPECT_EQ(large.pressure, small.pressure);
 }
 
-TEST(Similarity, DoubledLengthsDoubleForcesAndTimesBitForBit) {
-  const dem2d::CutCase cut = small_cut(), large_cut = doubled(cut);
+void expect_doubled(const dem2d::CutCase& cut) {
+  const dem2d::CutCase large_cut = doubled(cut);
   const dem2d::World start = dem2d::make_cut_world(cut, small_bed());
   const dem2d::ConvexPolygon outline = start.boundaries[0].shape;
   const double tip_x = -cut.depth_of_cut * std::tan(cut.back_rake) - start_gap;
@@ -122,6 +123,16 @@ TEST(Similarity, DoubledLengthsDoubleForcesAndTimesBitForBit) {
     ASSERT_EQ(large.cracks[k].disc1, small.cracks[k].disc1);
     ASSERT_EQ(large.cracks[k].mode, small.cracks[k].mode);
   }
+}
+
+TEST(Similarity, DoubledLengthsDoubleForcesAndTimesBitForBit) {
+  expect_doubled(small_cut());
+}
+
+TEST(Similarity, AlsoUnderMudOfTheSamePressure) {
+  dem2d::CutCase cut = small_cut();
+  cut.mud_pressure = 15e6;
+  expect_doubled(cut);
 }
 
 // In the doubled cut the start gap is not doubled, so in its own measure the cutter is half of it ahead. Until the

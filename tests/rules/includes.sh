@@ -11,11 +11,12 @@ base
 bench               base peaks dem2d surrogate report runtime studies views
 cli                 base peaks dem2d surrogate report runtime studies views
 dem2d/contact       base
-dem2d/cut           base dem2d/contact dem2d/specimen dem2d/step dem2d/tool
-dem2d/files         base dem2d/contact dem2d/cut dem2d/specimen dem2d/step dem2d/tool
-dem2d/lab           base dem2d/contact dem2d/specimen dem2d/step dem2d/tool
+dem2d/cut           base dem2d/contact dem2d/fluid dem2d/specimen dem2d/step dem2d/tool
+dem2d/fluid         base
+dem2d/files         base dem2d/contact dem2d/cut dem2d/fluid dem2d/specimen dem2d/step dem2d/tool
+dem2d/lab           base dem2d/contact dem2d/fluid dem2d/specimen dem2d/step dem2d/tool
 dem2d/specimen      base dem2d/contact dem2d/step dem2d/tool
-dem2d/step          base dem2d/contact dem2d/tool
+dem2d/step          base dem2d/contact dem2d/fluid dem2d/tool
 dem2d/tool          base
 docs/reference      base cli dem2d runtime studies
 peaks               base

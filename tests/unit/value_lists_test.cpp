@@ -54,4 +54,12 @@ TEST(Values, EndsAreIncluded) {
   EXPECT_THROW(base::value_range("--speed", "6:5:3", 0.0, 10.0), base::InputError);
 }
 
+TEST(Values, NumbersAndRangesStandSideBySide) {
+  using Values = std::vector<double>;
+  EXPECT_EQ(base::values_in("--pressures", "0,5,10:40:4", 0.0, 100.0), (Values{0, 5, 10, 20, 30, 40}));
+  EXPECT_EQ(base::values_in("--pressures", "7.5", 0.0, 100.0), Values{7.5});
+  for (const char* bad : {"", ",", "1,", "1,,2", "1,1", "0:10:3,5", "-1", "101", "1;2", "nan"})
+    EXPECT_THROW(base::values_in("--pressures", bad, 0.0, 100.0), base::InputError) << bad;
+}
+
 }  // namespace

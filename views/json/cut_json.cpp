@@ -4,6 +4,19 @@
 
 namespace bitrock::views {
 
+namespace {
+
+nlohmann::json as_json(const dem2d::Settled& settled, int forced_entries) {
+  if (settled.steps == 0) return {};
+  return {{"surface_drop_m", settled.surface_drop},
+          {"shortening_m", settled.shortening},
+          {"broken_elements", settled.cracks},
+          {"settling_steps", settled.steps},
+          {"forced_entries", forced_entries}};
+}
+
+}  // namespace
+
 nlohmann::json as_json(const peaks::PeakStatistics& s) {
   return {{"amax", s.amax}, {"amean", s.amean}, {"np1", s.np1}, {"np23", s.np23}, {"np4", s.np4}};
 }
@@ -25,6 +38,7 @@ nlohmann::json as_json(const dem2d::CutRun& run) {
            run.energies.empty() ? nlohmann::json() : nlohmann::json(run.energy_residual_fraction)},
           {"energy_injected_fraction",
            run.energies.empty() ? nlohmann::json() : nlohmann::json(run.energy_injected_fraction)},
+          {"under_mud", as_json(run.settled, run.forced_entries)},
           {"wall_s", run.wall_time},
           {"ns_per_disc_step", run.nanoseconds_per_disc_step},
           {"features",

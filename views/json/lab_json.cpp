@@ -1,8 +1,12 @@
 #include "views/json/lab_json.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "base/units.hpp"
 #include "dem2d/lab/loading_rate.hpp"
+#include "studies/lab/envelope.hpp"
 
 namespace bitrock::views {
 
@@ -15,6 +19,7 @@ nlohmann::json number(double value) {
 
 nlohmann::json as_json(const dem2d::LabRun& run) {
   return {{"seed", run.seed},
+          {"confining_pressure_Pa", run.confining_pressure},
           {"discs", run.discs},
           {"joints", run.joints},
           {"peak_stress_Pa", run.peak_stress},
@@ -36,6 +41,31 @@ nlohmann::json as_json(const dem2d::LabRun& run) {
           {"wall_s", run.wall_time}};
 }
 
+nlohmann::json means_of(const std::vector<dem2d::LabRun>& runs) {
+  nlohmann::json json;
+  for (const studies::LabQuantity& quantity : studies::lab_quantities()) {
+    const base::Summary summary = studies::summary_of(quantity, runs);
+    json["mean"][quantity.key] = number(summary.mean);
+    // the scatter of one specimen is not known
+    json["sd"][quantity.key] = summary.count > 1 ? number(summary.standard_deviation) : nlohmann::json(nullptr);
+  }
+  return json;
+}
+
+nlohmann::json as_json(const studies::EnvelopeOfSeeds& envelope) {
+  nlohmann::json json{{"seeds", envelope.seeds}};
+  const auto add = [&](const char* key, double studies::Envelope::*member, double unit) {
+    const base::Summary s = envelope.of(member);
+    json["mean"][key] = number(s.mean / unit);
+    json["sd"][key] = s.count > 1 ? number(s.standard_deviation / unit) : nlohmann::json(nullptr);
+  };
+  add("friction_angle_deg", &studies::Envelope::friction_angle, base::deg);
+  add("cohesion_Pa", &studies::Envelope::cohesion, 1.0);
+  add("strength_at_zero_Pa", &studies::Envelope::strength_at_zero, 1.0);
+  add("slope", &studies::Envelope::slope, 1.0);
+  return json;
+}
+
 nlohmann::json rate_json(const studies::LabResults& results) {
   nlohmann::json peaks = nlohmann::json::array();
   for (const dem2d::LabRun& run : results.half_rate) peaks.push_back(run.peak_stress);
@@ -50,10 +80,10 @@ nlohmann::json rate_json(const studies::LabResults& results) {
 }  // namespace
 
 nlohmann::json as_json(const studies::LabSeries& series, const studies::LabCost& cost) {
-  return {{"specimens", series.seeds.size()},
+  return {{"specimens", studies::cores_of(series).size()},
           {"discs", std::llround(cost.discs)},
           {"strain_rate_per_s", series.settings.strain_rate},
-          {"expected_strength_Pa", dem2d::expected_strength(series.test, series.rock)},
+          {"expected_strength_Pa", dem2d::expected_strength(series.test, series.rock, series.pressures.back())},
           {"expected_minutes", cost.core_seconds / 60.0}};
 }
 
@@ -72,12 +102,20 @@ nlohmann::json as_json(const studies::LabSeries& series, const studies::LabResul
   for (const dem2d::LabRun& run : results.runs) json["runs"].push_back(as_json(run));
   for (const auto& [seed, reason] : results.failures) json["failures"].push_back({{"seed", seed}, {"reason", reason}});
   if (results.runs.empty()) return json;
-  for (const studies::LabQuantity& quantity : studies::lab_quantities()) {
-    const base::Summary summary = studies::summary_of(quantity, results.runs);
-    json["mean"][quantity.key] = number(summary.mean);
-    // the scatter of one specimen is not known
-    json["sd"][quantity.key] = summary.count > 1 ? number(summary.standard_deviation) : nlohmann::json(nullptr);
+  if (series.pressures.size() == 1) {
+    json.update(means_of(results.runs));
+  } else {
+    for (const double pressure : series.pressures) {
+      std::vector<dem2d::LabRun> under_it;
+      std::copy_if(results.runs.begin(), results.runs.end(), std::back_inserter(under_it),
+                   [pressure](const dem2d::LabRun& run) { return run.confining_pressure == pressure; });
+      if (under_it.empty()) continue;
+      json["by_pressure"].push_back(means_of(under_it));
+      json["by_pressure"].back()["confining_pressure_Pa"] = pressure;
+    }
   }
+  if (const studies::EnvelopeOfSeeds envelope = studies::envelope_of(results.runs); !envelope.empty())
+    json["envelope"] = as_json(envelope);
   if (!results.half_rate.empty()) json["rate_check"] = rate_json(results);
   return json;
 }

@@ -28,8 +28,22 @@ const char* title_of(dem2d::LabTest test) {
       return "direct tension";
     case dem2d::LabTest::brazilian:
       return "Brazilian test";
+    case dem2d::LabTest::triaxial:
+      return "triaxial compression";
   }
   return "";
+}
+
+std::string pressure_of(const dem2d::LabRun& run) {
+  return fmt::format("{:.3g} MPa", run.confining_pressure * 1e-6);
+}
+
+/// Of a test under pressure the strength is told above it.
+std::string subtitle_of(const dem2d::LabRun& run) {
+  const bool confined = run.confining_pressure > 0.0;
+  return fmt::format("seed {}{}, strength {:.3g} MPa{}, drawn at {:.3g} MPa after the peak", run.seed,
+                     confined ? ", under " + pressure_of(run) : "", run.peak_stress * 1e-6, confined ? " above it" : "",
+                     run.curve.back().stress * 1e-6);
 }
 
 /// Platens as solid bars; grips as bars over the discs they hold.
@@ -38,6 +52,16 @@ void draw_ends(const Picture& picture, const dem2d::LabRun& run, double width) {
   const double x_low = -0.12 * width, x_high = 1.12 * width;
   draw_polygon(picture, dem2d::rectangle(x_low, run.last.low - thick, x_high, run.last.low), tool_fill);
   draw_polygon(picture, dem2d::rectangle(x_low, run.last.high, x_high, run.last.high + thick), tool_fill);
+}
+
+/// Number of the colour of each curve: one a seed, or one a pressure, in the order in which they come.
+std::vector<std::size_t> colours_of(std::span<const dem2d::LabRun> runs, bool by_pressure) {
+  std::vector<std::size_t> colours(runs.size());
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    const bool same = by_pressure && runs[k].confining_pressure == runs[k - 1].confining_pressure;
+    colours[k] = same ? colours[k - 1] : colours[k - 1] + 1;
+  }
+  return colours;
 }
 
 /// Least and greatest strain and greatest stress over all curves.
@@ -100,14 +124,14 @@ std::string draw_broken_core(const dem2d::LabRun& run, const std::string& rock_n
   picture.use(ink);
   picture.text(picture.frame().left, 32.0, fmt::format("{}, {}", rock_name, title_of(run.test)));
   picture.font_size(18.0);
-  picture.text(picture.frame().left, 62.0,
-               fmt::format("seed {}, strength {:.3g} MPa, drawn at {:.3g} MPa after the peak", run.seed,
-                           run.peak_stress * 1e-6, run.curve.back().stress * 1e-6));
+  picture.text(picture.frame().left, 62.0, subtitle_of(run));
   return picture.png();
 }
 
 std::string draw_curves(std::span<const dem2d::LabRun> runs, const std::string& rock_name, int width_px) {
   const Extent extent = extent_of(runs);
+  const bool by_pressure = runs.front().test == dem2d::LabTest::triaxial;
+  const std::vector<std::size_t> colours = colours_of(runs, by_pressure);
   const bool lateral = runs.front().test != dem2d::LabTest::brazilian;
   const double span = extent.strain_high - (lateral ? extent.strain_low : 0.0);
   const Picture picture = Picture::of_curves({.x_low = lateral ? extent.strain_low - 0.03 * span : 0.0,
@@ -124,7 +148,7 @@ std::string draw_curves(std::span<const dem2d::LabRun> runs, const std::string& 
     cairo_set_line_width(cairo, 2.0);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      picture.use(curve_lines[k % std::size(curve_lines)]);
+      picture.use(curve_lines[colours[k] % std::size(curve_lines)]);
       draw_line(picture, runs[k].curve, false);
       if (lateral) draw_line(picture, runs[k].curve, true);
     }
@@ -137,15 +161,22 @@ std::string draw_curves(std::span<const dem2d::LabRun> runs, const std::string& 
   const std::string along =
       lateral ? "lateral strain < 0 < strain along the load [%]" : "shortening of the diameter [%]";
   draw_axes(picture, {1e2, tick_of(1e2 * (picture.frame().x_high - picture.frame().x_low)), along},
-            {1e-6, tick_of(1e-6 * picture.frame().y_high), pulls ? "tension [MPa]" : "stress [MPa]"});
+            {1e-6, tick_of(1e-6 * picture.frame().y_high),
+             pulls         ? "tension [MPa]"
+             : by_pressure ? "stress above the confining pressure [MPa]"
+                           : "stress [MPa]"});
   std::vector<LegendEntry> entries;
-  for (std::size_t k = 0; k < std::min(runs.size(), most_legend_entries); ++k) {
-    entries.push_back({curve_lines[k % std::size(curve_lines)], true, fmt::format("{}", runs[k].seed)});
+  for (std::size_t k = 0; k < runs.size() && entries.size() < most_legend_entries; ++k) {
+    if (colours[k] < entries.size()) continue;
+    entries.push_back({curve_lines[colours[k] % std::size(curve_lines)], true,
+                       by_pressure ? pressure_of(runs[k]) : fmt::format("{}", runs[k].seed)});
   }
   draw_legend(picture, entries);
   picture.font_size(20.0);
   picture.use(ink);
-  picture.text(picture.frame().left, 32.0, fmt::format("{}, {}, by seed", rock_name, title_of(runs.front().test)));
+  picture.text(picture.frame().left, 32.0,
+               fmt::format("{}, {}, by {}", rock_name, title_of(runs.front().test),
+                           by_pressure ? "confining pressure" : "seed"));
   return picture.png();
 }
 

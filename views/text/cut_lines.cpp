@@ -22,6 +22,18 @@ std::string energy_line(const dem2d::CutRun& run) {
       percent * e.removed, 100.0 * run.energy_residual_fraction, 100.0 * run.energy_injected_fraction);
 }
 
+std::string mud_line(const dem2d::CutRun& run) {
+  if (run.settled.steps == 0) return "";
+  std::string line = fmt::format(
+      "under the mud the surface sinks by {:.3g} mm before the cut, the bed gets {:.3g} mm "
+      "shorter, and {} elements break\n",
+      run.settled.surface_drop * 1e3, run.settled.shortening * 1e3, run.settled.cracks);
+  if (run.energies.empty()) return line;
+  const dem2d::Energies& e = run.energies.back();
+  return line + fmt::format("work of the mud {:.4g} J/m, elastic energy of rock that entered {:.4g} J/m\n", e.mud_work,
+                            e.entered);
+}
+
 std::string peaks_line(const char* axis, const std::vector<double>& force) {
   const peaks::PeakStatistics s = peaks::peak_statistics(force);
   return fmt::format("{}: A_max {:.4g} kN/m, A_mean {:.4g} kN/m, peaks {} + {} + {}\n", axis, s.amax * 1e-3,
@@ -46,7 +58,7 @@ std::string cut_lines(const dem2d::CutRun& run) {
              run.discs, run.joints, run.steps, run.step, run.wall_time, run.nanoseconds_per_disc_step,
              run.mean_force_x * 1e-3, run.mean_force_y * 1e-3, run.specific_energy * 1e-6, run.cracks_tensile,
              run.cracks_shear) +
-         energy_line(run) + peaks_line("x", run.force_x) + peaks_line("y", run.force_y);
+         mud_line(run) + energy_line(run) + peaks_line("x", run.force_x) + peaks_line("y", run.force_y);
 }
 
 }  // namespace bitrock::views

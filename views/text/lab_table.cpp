@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/statistics.hpp"
+#include "base/units.hpp"
 #include "dem2d/lab/loading_rate.hpp"
+#include "studies/lab/envelope.hpp"
 
 namespace bitrock::views {
 
@@ -30,13 +32,63 @@ std::string plan_line(const studies::LabSeries& series, const studies::LabCost& 
   return fmt::format(
       "{} {} tests of {:.4g} x {:.4g} mm, about {:.0f} discs each; strain rate {:.3g} /s, strength expected after "
       "{:.3g} s (about {:.2g} MPa); about {:.2g} minutes on one core, without packing\n",
-      series.seeds.size(), dem2d::name_of(series.test), box.width * 1e3, box.height * 1e3, cost.discs,
-      series.settings.strain_rate, cost.duration, dem2d::expected_strength(series.test, series.rock) * 1e-6,
-      cost.core_seconds / 60.0);
+      studies::cores_of(series).size(), dem2d::name_of(series.test), box.width * 1e3, box.height * 1e3, cost.discs,
+      series.settings.strain_rate, cost.duration,
+      dem2d::expected_strength(series.test, series.rock, series.pressures.back()) * 1e-6, cost.core_seconds / 60.0);
 }
+
+namespace {
+
+std::vector<double> pressures_of(const studies::LabResults& results) {
+  std::vector<double> pressures;
+  for (const dem2d::LabRun& run : results.runs) {
+    if (pressures.empty() || pressures.back() != run.confining_pressure) pressures.push_back(run.confining_pressure);
+  }
+  return pressures;
+}
+
+std::string table_of(const studies::LabResults& results);
+
+/// Under several pressures: one table each.
+std::string tables_by_pressure(const studies::LabResults& results) {
+  std::string tables;
+  for (const double pressure : pressures_of(results)) {
+    studies::LabResults under_it;
+    for (const dem2d::LabRun& run : results.runs) {
+      if (run.confining_pressure == pressure) under_it.runs.push_back(run);
+    }
+    tables += fmt::format("confining pressure {:.4g} MPa; strengths and stresses are above it\n", pressure * 1e-6) +
+              table_of(under_it);
+  }
+  return tables;
+}
+
+}  // namespace
 
 std::string lab_table(const studies::LabResults& results) {
   if (results.runs.empty()) return "";
+  return results.runs.front().test == dem2d::LabTest::triaxial ? tables_by_pressure(results) : table_of(results);
+}
+
+std::string envelope_lines(const studies::LabResults& results) {
+  const studies::EnvelopeOfSeeds envelope = studies::envelope_of(results.runs);
+  if (envelope.empty()) return "";
+  const auto part = [&](const char* name, double studies::Envelope::*member, double unit, const char* unit_name) {
+    const base::Summary s = envelope.of(member);
+    const std::string scatter = s.count > 1 ? fmt::format(" +- {:.2g}", s.standard_deviation / unit) : "";
+    return fmt::format("{} {:.3g}{}{}", name, s.mean / unit, scatter, unit_name);
+  };
+  return fmt::format("Mohr-Coulomb line: {}, {}, {}; slope {}{}\n",
+                     part("friction angle", &studies::Envelope::friction_angle, base::deg, " deg"),
+                     part("cohesion", &studies::Envelope::cohesion, base::MPa, " MPa"),
+                     part("strength at no pressure", &studies::Envelope::strength_at_zero, base::MPa, " MPa"),
+                     part("of strength over pressure", &studies::Envelope::slope, 1.0, ""),
+                     envelope.lines.size() > 1 ? " (+- standard deviation of the seeds)" : "");
+}
+
+namespace {
+
+std::string table_of(const studies::LabResults& results) {
   std::string table = fmt::format(row_format, "seed", "strength MPa", "E GPa", "nu", "cracks from MPa", "at strain %",
                                   "cracks tension + shear");
   for (const dem2d::LabRun& run : results.runs) {
@@ -54,6 +106,8 @@ std::string lab_table(const studies::LabResults& results) {
          row("sd", s[0].standard_deviation, s[1].standard_deviation, s[2].standard_deviation, s[3].standard_deviation,
              s[4].standard_deviation, "");
 }
+
+}  // namespace
 
 std::string rate_check_line(double strain_rate, const studies::LabResults& results) {
   const studies::RateCheck check = studies::rate_check_of(results);

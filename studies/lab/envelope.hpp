@@ -1,0 +1,45 @@
+#pragma once
+/// The strength of a rock over the pressure that confines it.
+///
+/// **Equation.** The Mohr-Coulomb line through the strengths s_1 along the load at the confining pressures s_3,
+///
+///     s_1 = s_c + k s_3      k = (1 + sin phi) / (1 - sin phi)      c = s_c / (2 sqrt k)
+///
+/// by least squares over all tests of one seed; mean and standard deviation over the seeds.
+///
+/// **Symbols.** s_1, s_3, s_c [Pa], compression positive; k [1]; phi [rad] friction angle; c [Pa] cohesion.
+///
+/// **Source.** [JaegerCookZimmerman2007] for the line and its constants.
+///
+/// **Validity.** Rock strengthens less at high pressure than at low: the line depends on the pressures that are asked,
+/// and s_c comes out above the uniaxial strength. Where k is 1 or less there is no friction angle above 0: NaN.
+
+#include <vector>
+
+#include "base/statistics.hpp"
+#include "dem2d/lab/lab_test.hpp"
+
+namespace bitrock::studies {
+
+/// The line of one seed.
+struct Envelope {
+  double strength_at_zero;  ///< s_c [Pa]
+  double slope;             ///< k [1]
+  double friction_angle;    ///< phi [rad]
+  double cohesion;          ///< c [Pa]
+};
+
+/// Of at least two tests at different pressures.
+Envelope fit_envelope(const std::vector<const dem2d::LabRun*>& runs);
+
+/// Of all seeds that were tested at two pressures or more.
+struct EnvelopeOfSeeds {
+  std::vector<std::uint64_t> seeds;
+  std::vector<Envelope> lines;  ///< one a seed
+
+  bool empty() const { return lines.empty(); }
+  base::Summary of(double Envelope::*member) const;  ///< over the seeds
+};
+EnvelopeOfSeeds envelope_of(const std::vector<dem2d::LabRun>& runs);
+
+}  // namespace bitrock::studies
