@@ -204,7 +204,7 @@ TEST(Mud, PressesARoughSurfaceAsAFlatOne) {
 
 TEST(Mud, CompressesABedBetweenFixedSidesByItsModulus) {
   // a triangular lattice, p on its surface: strain p / C11, C11 = sqrt(3)/4 E* (3 + 1/kappa) (lattice_test.cpp)
-  constexpr int rows = 7, columns = 91;  // what the sides do has died away in the middle
+  constexpr int rows = 7, columns = 91;   // what the sides do has died away in the middle
   constexpr double small_pressure = 1e4;  // strains of 1e-5: the closed form is for small ones
   dem2d::World world = joined(hexagonal(rows, columns), small_pressure);
   for (std::size_t i = 0; i < world.discs.x.size(); ++i) {
