@@ -99,6 +99,7 @@ std::vector<double> value_range(const std::string& flag, const std::string& text
         fmt::format("{} {} (the count must be from 2 to {}; write one number for one value)", flag, text, most_values));
   }
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) values.push_back(count == 1 ? low : low + (high - low) * i / (count - 1));
   return values;
 }

@@ -38,7 +38,8 @@ void add_peaks(CLI::App& app) {
       "peaks", "Finds the peaks of a force history, from a run file or any CSV, and prints their five statistics.");
   command->add_option("file", options->file, "The force history: a run.h5, or a CSV with a header.")->required();
   command->add_option("--column", options->column,
-                      "This column holds the force (default: x_N_per_m, or the only CSV column beside time_s).");
+                      "This column holds the force (default: x_N_per_m of a run file, or the only column of a CSV file "
+                      "beside time_s).");
   command->add_option("--time", options->time, "This CSV column holds the times, in seconds (default: time_s).")
       ->check(not_empty());
   command

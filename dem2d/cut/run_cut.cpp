@@ -69,8 +69,8 @@ double years(double disc_steps) {
   return expected_core_seconds(disc_steps, 1.0) / seconds_per_year;
 }
 
-/// When rock enters the window of a cut under mud. Thrust moves the rock there by more than a grain's tolerance now and
-/// then: the window waits for calm, as long as three quarters of the rock ahead are left.
+/// When rock enters the window of a cut under mud. Debris may lie there, and thrust moves the rock there by more than a
+/// grain's tolerance now and then: the window waits for calm, as long as three quarters of the rock ahead are left.
 class Door {
  public:
   Door(bool waits, double ahead) : waits_(waits), least_ahead_(0.75 * ahead) {}
@@ -79,9 +79,12 @@ class Door {
   bool may_open(const Window& window, const World& world, double tip_x, double thrust, int& forced) {
     ++looks_;
     mean_thrust_ += (thrust - mean_thrust_) / looks_;
-    if (!waits_ || (thrust <= mean_thrust_ && door_is_clear(window, world.discs))) return true;
-    if (window.high - tip_x >= least_ahead_) return false;
-    forced += door_is_clear(window, world.discs) ? 0 : 1;
+    if (!waits_) return true;
+    const bool in_time = window.high - tip_x >= least_ahead_;
+    if (in_time && thrust > mean_thrust_) return false;
+    const AtTheDoor found = at_the_door(window, world.discs);
+    if (in_time && found != AtTheDoor::nothing) return false;
+    forced += found == AtTheDoor::displaced_rock ? 1 : 0;
     return true;
   }
 
@@ -206,7 +209,7 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
   run.joints = joints;
   run.step = schedule.step;
 
-  double disc_steps = 0.0;
+  double disc_steps = static_cast<double>(run.settled.steps) * discs;
   for (long long sample = 1; sample <= schedule.samples; ++sample) {
     double impulse_x = 0.0, impulse_y = 0.0;  // in steps times force
     const bool counts = sample > schedule.run_in_samples;

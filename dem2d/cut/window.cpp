@@ -146,13 +146,17 @@ void release(Discs& discs, std::size_t disc) {
   set_mass(discs, disc, discs.mass[disc], discs.inertia[disc]);
 }
 
-bool door_is_clear(const Window& window, const Discs& discs) {
+AtTheDoor at_the_door(const Window& window, const Discs& discs) {
   constexpr double columns_of_the_door = 2.0;
   const double from = window.high - columns_of_the_door * window.column;
+  AtTheDoor found = AtTheDoor::nothing;
   for (std::size_t i = 0; i < discs.x.size(); ++i) {
-    if (discs.x[i] > from && !is_in_its_place(window, discs, i)) return false;
+    if (!(discs.x[i] > from) || is_in_its_place(window, discs, i)) continue;
+    const double made_x = window.bed.discs.x[static_cast<std::size_t>(place_in_bed(window, discs.id[i]))];
+    if (made_x > from) return AtTheDoor::displaced_rock;
+    found = AtTheDoor::debris;
   }
-  return true;
+  return found;
 }
 
 Window open_window(World& world, const CutCase& cut, double tip_x) {

@@ -37,9 +37,10 @@ bool is_in_its_place(const Window& window, const Discs& discs, std::size_t disc)
 /// Takes the rock beyond `moving_ahead` of the tip out of `world`, which is prepared and in columns.
 Window open_window(World& world, const CutCase& cut, double tip_x);
 
-/// Whether rock can enter: what stands within two columns of the end it comes in at is in its place. Rock under thrust
-/// may not be, and new rock would be laid over it.
-bool door_is_clear(const Window& window, const Discs& discs);
+/// What keeps rock from entering, within two columns of the end it comes in at: nothing; debris that lies or flies
+/// there; rock that was made there and is out of its place, over which new rock would be laid.
+enum class AtTheDoor { nothing, debris, displaced_rock };
+AtTheDoor at_the_door(const Window& window, const Discs& discs);
 
 /// Moves the window on when the tip has travelled a few columns. Between two steps.
 void advance_window(Window& window, World& world, double tip_x);

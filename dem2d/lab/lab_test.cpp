@@ -122,6 +122,7 @@ void fill_results(LabRun& run) {
 /// Median height of the cracks over the height of the core.
 double fracture_height(const std::vector<Crack>& cracks, double height) {
   std::vector<double> heights;
+  heights.reserve(cracks.size());
   for (const Crack& crack : cracks) heights.push_back(crack.y / height);
   const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
   std::nth_element(heights.begin(), middle, heights.end());

@@ -26,7 +26,8 @@ struct Cell {
   std::string name;
   std::variant<double*, int*> target;
   double unit;
-  base::Range range;  ///< in the unit of the file
+  base::Range range;      ///< in the unit of the file
+  bool may_lack = false;  ///< in older tables; then it is 0
 };
 
 // The columns come in groups: case and seed, conditions, peak statistics, what else is known of the cut.
@@ -75,6 +76,7 @@ std::vector<Cell> cells(FeatureRow& row) {
       {"peak_smoothing_um", &row.definition.smoothing, um, at_least(0.0)},
       {"peak_min_prominence", &row.definition.min_prominence, as_it_is, base::between(0.0, 1.0)},
       {"peak_min_distance_mm", &row.definition.min_distance, mm, at_least(0.0)},
+      {"fluid_pressure_MPa", &row.mud_pressure, base::MPa, at_least(0.0), true},
   };
   all.insert(all.end(), other.begin(), other.end());
   return all;
@@ -143,6 +145,7 @@ FeatureRow row_of(const Job& job, const dem2d::CutRun& run) {
           .discs = run.discs,
           .step = run.step,
           .core_time = run.core_time,
+          .mud_pressure = job.cut.mud_pressure,
           .hash = job_hash(job)};
 }
 
@@ -209,11 +212,14 @@ FeatureTable read_features(const std::filesystem::path& path) {
   }
   FeatureTable table{.rows = std::vector<FeatureRow>(csv.rows()), .lines = csv.lines};
   std::vector<std::string> needed;
-  for (const Cell& cell : cells(table.rows.front())) needed.emplace_back(cell.name);
+  for (const Cell& cell : cells(table.rows.front())) {
+    if (!cell.may_lack) needed.emplace_back(cell.name);
+  }
   csv.require(needed);
   for (std::size_t i = 0; i < csv.rows(); ++i) {
     const std::string where = fmt::format("{}:{}", csv.source, csv.lines[i]);
     for (const Cell& cell : cells(table.rows[i])) {
+      if (cell.may_lack && !csv.has(cell.name)) continue;
       const double value = csv.column(cell.name)[i];
       const auto* whole = std::get_if<int*>(&cell.target);
       if (!cell.range.contains(value) || (whole != nullptr && value != std::floor(value))) {

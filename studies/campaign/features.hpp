@@ -31,6 +31,7 @@ struct FeatureRow {
   double core_time = 0.0;            ///< that the cut took on one core; the only number that depends on the machine [s]
   double sampling = 0.0;             ///< travel between samples of the force [m]
   peaks::PeakDefinition definition;  ///< of the peaks
+  double mud_pressure = 0.0;         ///< on the rock (dem2d/fluid/mud.hpp); 0 without mud [Pa]
   std::string hash;                  ///< of case, rock, seed and physics (`dem2d::cut_hash`)
 };
 

@@ -26,6 +26,7 @@ struct Number {
   const char* units;
   const char* meaning;
   base::Range range;
+  bool may_lack = false;  ///< in older files; then it is 0
 };
 
 struct Whole {
@@ -46,7 +47,8 @@ std::vector<Number> numbers() {
           {"/cuts/energy_injected_fraction", &FeatureRow::energy_injected_fraction, "1",
            "energy given by the scheme over the work of the cutter", any()},
           {"/cuts/step_s", &FeatureRow::step, "s", "time step", positive()},
-          {"/cuts/core_s", &FeatureRow::core_time, "s", "time on one core", at_least(0.0)}};
+          {"/cuts/core_s", &FeatureRow::core_time, "s", "time on one core", at_least(0.0)},
+          {"/cuts/fluid_pressure_Pa", &FeatureRow::mud_pressure, "Pa", "of the mud; 0 without", at_least(0.0), true}};
 }
 
 constexpr Whole wholes[]{{"/cuts/case", &FeatureRow::case_number, "number of the case in its study"},
@@ -164,7 +166,10 @@ ForcesFile read_forces(const std::filesystem::path& path) {
       forces.cuts[i].cut.*value = values[i];
     }
   };
-  for (const Number& number : numbers()) fill(number.path, file.doubles(number.path), number.range, number.value);
+  for (const Number& number : numbers()) {
+    if (number.may_lack && !file.has(number.path)) continue;
+    fill(number.path, file.doubles(number.path), number.range, number.value);
+  }
   const base::Range not_negative = base::between(0.0, 2147483647.0);
   for (const Whole& whole : wholes) fill(whole.path, file.ints(whole.path), not_negative, whole.value);
 

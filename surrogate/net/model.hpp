@@ -78,6 +78,7 @@ struct Provenance {
   std::string data_fingerprint;          ///< `base::fingerprint_text` of the file
   std::vector<DataPart> data_parts;      ///< when it was several files; then the two above speak of all together
   std::optional<PeakCounting> counting;  ///< of the peaks; empty where the tables did not say
+  double fluid_pressure_MPa = 0.0;       ///< of the mud under which the cuts were made; 0: without
   std::string initial_fingerprint;       ///< of the model file a warm start began from; empty: a random start
   std::uint64_t seed = 0;                ///< of initial weights and batch order
   std::uint64_t split_seed = 0;          ///< of the choice of test cases

@@ -98,6 +98,7 @@ OrderedJson provenance_json(const Provenance& provenance) {
                              {"min_distance_mm", counting.min_distance_mm},
                              {"sampling_um", counting.sampling_um}};
   }
+  if (provenance.fluid_pressure_MPa > 0.0) json["fluid_pressure_MPa"] = provenance.fluid_pressure_MPa;
   if (provenance.data_parts.empty()) return json;
   OrderedJson parts = OrderedJson::array();
   for (const DataPart& part : provenance.data_parts)
@@ -192,7 +193,7 @@ Provenance read_provenance(const JsonPlace& place) {
               "starts",        "smoothing",        "averaged",
               "weighted",      "train_cases",      "validation_cases",
               "test_cases",    "choice",           "bitrock_version",
-              "data_parts",    "peak_counting"});
+              "data_parts",    "peak_counting",    "fluid_pressure_MPa"});
   constexpr std::uint64_t any_seed = std::numeric_limits<std::uint64_t>::max();
   Provenance provenance;
   provenance.data_file = place.at("data_file").text();
@@ -216,6 +217,8 @@ Provenance read_provenance(const JsonPlace& place) {
                            .min_distance_mm = number("min_distance_mm"),
                            .sampling_um = number("sampling_um")};
   }
+  if (place.has("fluid_pressure_MPa"))  // models of cuts without mud are without
+    provenance.fluid_pressure_MPa = place.at("fluid_pressure_MPa").number_from(0.0, largest_double);
   provenance.initial_fingerprint = place.at("initial_fingerprint").text();
   provenance.seed = place.at("seed").whole_up_to(any_seed);
   provenance.split_seed = place.at("split_seed").whole_up_to(any_seed);

@@ -243,6 +243,20 @@ std::optional<PeakCounting> counting_of(const base::CsvTable& table) {
   return first;
 }
 
+/// Of the mud, the same for all rows.
+double fluid_pressure_of(const base::CsvTable& table) {
+  if (!table.has("fluid_pressure_MPa")) return 0.0;
+  const auto at = [&table](std::size_t row) { return cell(table, "fluid_pressure_MPa", row, not_negative()); };
+  for (std::size_t row = 1; row < table.rows(); ++row) {
+    if (at(row) == at(0)) continue;
+    throw base::InputError(
+        fmt::format("{}:{}: fluid_pressure_MPa = {:g} (line {}: {:g}; the pressure is no input of the networks: train "
+                    "some for each)",
+                    table.source, table.lines[row], at(row), table.lines[0], at(0)));
+  }
+  return at(0);
+}
+
 }  // namespace
 
 bool mix(const std::optional<PeakCounting>& a, const std::optional<PeakCounting>& b) {
@@ -268,6 +282,7 @@ TrainingData read_training_data(const std::filesystem::path& path) {
   data.fingerprint = base::fingerprint_text(base::read_whole(path));
   data.has_seeds = table.has("seed");
   data.counting = counting_of(table);
+  data.fluid_pressure_MPa = fluid_pressure_of(table);
   const std::size_t outputs = has_moments(table) ? most_outputs : article_output_count;
   for (std::size_t row = 0; row < table.rows(); ++row)
     data.rows.push_back(read_row(table, row, data.has_seeds, outputs));
@@ -282,7 +297,8 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
                    .fingerprint = {},
                    .has_seeds = tables.front().has_seeds,
                    .rows = {},
-                   .counting = tables.front().counting};
+                   .counting = tables.front().counting,
+                   .fluid_pressure_MPa = tables.front().fluid_pressure_MPa};
   std::size_t outputs = most_outputs;
   for (const TrainingData& table : tables) outputs = std::min(outputs, output_count(table));
   std::string fingerprints;
@@ -302,6 +318,12 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
                       tables.front().file, table.file, in_words(all.counting), in_words(table.counting)));
     }
     if (!all.counting) all.counting = table.counting;
+    if (table.fluid_pressure_MPa != tables.front().fluid_pressure_MPa) {
+      throw base::InputError(
+          fmt::format("{} and {}: fluid_pressure_MPa = {:g} and {:g} (the pressure is no input of the networks: train "
+                      "some for each)",
+                      tables.front().file, table.file, tables.front().fluid_pressure_MPa, table.fluid_pressure_MPa));
+    }
     for (const DataPart& part : all.parts) {
       if (part.fingerprint == table.fingerprint)
         throw base::InputError(fmt::format("{} and {} hold the same (name each table once)", part.file, table.file));

@@ -35,6 +35,7 @@ struct TrainingData {
   std::vector<TrainingRow> rows;           ///< of all tables
   std::vector<DataPart> parts{};           ///< when it was several files
   std::optional<PeakCounting> counting{};  ///< empty where the tables do not say
+  double fluid_pressure_MPa = 0.0;         ///< of the mud on the rock; 0: without
   bool moments_left_out = false;           ///< some of several tables have more than the article's ten outputs
 };
 
@@ -46,8 +47,9 @@ struct TrainingData {
 /// output: older tables have it.) Throws `base::InputError` with file and line for: a case or seed that is no whole
 /// number, speed, depth or length of cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts,
 /// numbers beyond 1e12 or below 1e-12, a mean height of peaks above the highest, rows whose peaks were counted in
-/// different ways (columns peak_smoothing_um, peak_min_prominence, peak_min_distance_mm, sampling_um), a case and seed
-/// that come twice (without seeds: a case that comes twice), one case with two conditions, fewer than two cases.
+/// different ways (columns peak_smoothing_um, peak_min_prominence, peak_min_distance_mm, sampling_um), cuts under
+/// different mud pressures (column fluid_pressure_MPa), a case and seed that come twice (without seeds: a case that
+/// comes twice), one case with two conditions, fewer than two cases.
 TrainingData read_training_data(const std::filesystem::path& path);
 
 /// The same of several files, `joined`.
@@ -55,8 +57,8 @@ TrainingData read_training_data(const std::vector<std::string>& paths);
 
 /// Several tables as one: the cases of a later table get numbers above those of the earlier ones. One table stays what
 /// it is. Throws `InputError` when there is none, when one comes twice, or when some have seeds and others have not, or
-/// when peaks were counted in different ways (a table that does not say is taken for the article's). Outputs that not
-/// all tables have are left out.
+/// when peaks were counted in different ways or cuts made under different mud pressures (a table that does not say is
+/// taken for the article's). Outputs that not all tables have are left out.
 TrainingData joined(const std::vector<TrainingData>& tables);
 
 /// Whether peaks were counted in one way, as far as 9 digits tell. Who does not say is taken for the article's way,

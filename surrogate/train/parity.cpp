@@ -206,6 +206,13 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
                     "make the table by the same definition with bitrock campaign features, or train anew)",
                     data.file, in_words(data.counting), in_words(model.provenance.counting)));
   }
+  if (model.provenance.fluid_pressure_MPa != data.fluid_pressure_MPa) {
+    throw base::InputError(
+        fmt::format("{}: cut under fluid_pressure_MPa = {:g}, and the networks have learnt from cuts under {:g} (the "
+                    "pressure is no "
+                    "input of theirs)",
+                    data.file, data.fluid_pressure_MPa, model.provenance.fluid_pressure_MPa));
+  }
   Parity result;
   const DataPart* part = part_of(model, data);
   const std::int64_t first_case = part == nullptr ? 0 : part->first_case;

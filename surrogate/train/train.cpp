@@ -224,6 +224,7 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
                       .data_fingerprint = data.fingerprint,
                       .data_parts = data.parts,
                       .counting = data.counting,
+                      .fluid_pressure_MPa = data.fluid_pressure_MPa,
                       .initial_fingerprint = options.init_from == nullptr
                                                  ? std::string()
                                                  : base::fingerprint_text(model_text(*options.init_from)),

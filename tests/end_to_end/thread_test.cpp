@@ -36,7 +36,7 @@ TEST(Thread, FromRockToReport) {
   ASSERT_EQ(run("campaign collect " + study + " --dir " + camp).status, 0);
   const base::CsvTable features = base::read_csv(fs::path(camp) / "features.csv", false, {"hash"});
   EXPECT_EQ(features.rows(), 4u);
-  EXPECT_EQ(features.names.size(), 38u);
+  EXPECT_EQ(features.names.size(), 39u);
   EXPECT_GT(features.column("x_amax_N_per_m")[0], 0.0);
 
   // the table must say what `peaks` says of the same run file

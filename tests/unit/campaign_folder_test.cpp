@@ -131,7 +131,7 @@ TEST_F(Folder, FeaturesTellWhatTheRunsTell) {
             "xy_correlation,"
             "x_low_force_share,y_low_force_share,chips,cracks_tensile,cracks_shear,energy_residual_fraction,"
             "energy_injected_fraction,discs,step_s,core_s,sampling_um,peak_smoothing_um,peak_min_prominence,"
-            "peak_min_distance_mm,hash");
+            "peak_min_distance_mm,fluid_pressure_MPa,hash");
   const base::CsvTable csv = base::read_csv(rows(text), false, {"hash"});
   EXPECT_EQ(csv.column("case"), (std::vector<double>{2.0, 3.0}));
   EXPECT_EQ(csv.column("seed"), (std::vector<double>{1.0, 5.0}));

@@ -110,6 +110,31 @@ TEST(SurrogateData, PeaksThatWereCountedInDifferentWaysDoNotMix) {
   EXPECT_TRUE(surrogate::joined({silent, articles}).counting.has_value());
 }
 
+/// The rows with the pressure of the mud they were cut under.
+std::string under_mud(const std::vector<std::pair<std::string, std::string>>& rows) {
+  std::string text = features_header;
+  text.insert(text.size() - 1, ",fluid_pressure_MPa");
+  for (const auto& [row, pressure] : rows) text += row.substr(0, row.size() - 1) + "," + pressure + "\n";
+  return text;
+}
+
+TEST(SurrogateData, CutsUnderDifferentMudPressuresDoNotMix) {
+  const TrainingData mud = read_text(under_mud({{row_1_1, "20"}, {row_2_1, "20"}}));
+  EXPECT_EQ(mud.fluid_pressure_MPa, 20.0);
+  EXPECT_NE(
+      message(under_mud({{row_1_1, "20"}, {row_2_1, "0"}})).find("features.csv:3: fluid_pressure_MPa = 0 (line 2: 20"),
+      std::string::npos);
+  EXPECT_NE(message(under_mud({{row_1_1, "-1"}, {row_2_1, "-1"}})).find("fluid_pressure_MPa = -1"), std::string::npos);
+  const TrainingData silent = read_text(features_header + row_1_2 + row_2_1);
+  EXPECT_EQ(silent.fluid_pressure_MPa, 0.0) << "older tables are of cuts without mud";
+  EXPECT_NE(surrogate_fixture::refusal([&] {
+              surrogate::joined({mud, silent});
+            }).find("fluid_pressure_MPa = 20 and 0"),
+            std::string::npos);
+  const TrainingData more = read_text(under_mud({{row_1_2, "20"}, {row_2_1, "20"}}));
+  EXPECT_EQ(surrogate::joined({mud, more}).fluid_pressure_MPa, 20.0);
+}
+
 TEST(SurrogateData, ARowCutShortIsRefused) {
   const std::string text = features_header + row_1_1 + row_1_2 + row_2_1;
   const std::size_t last_row = features_header.size() + row_1_1.size() + row_1_2.size();

@@ -47,6 +47,8 @@ TEST(SurrogateModelFile, ReadsBackBitForBit) {
   model.outputs[0].network.parameters[2] = 1.0 / 3.0;
   model.outputs[0].network.parameters[3] = -1e6;
   model.provenance.initial_fingerprint = "fedcba9876543210";
+  EXPECT_EQ(model_text(model).find("fluid_pressure_MPa"), std::string::npos) << "cuts without mud: as before";
+  model.provenance.fluid_pressure_MPa = 20.0;
 
   const surrogate_fixture::Folder folder;
   surrogate::write_model(folder.file("model.json"), model);
@@ -76,6 +78,7 @@ TEST(SurrogateModelFile, ReadsBackBitForBit) {
   EXPECT_TRUE(again.provenance.weighted);
   EXPECT_EQ(again.provenance.validation_cases, (std::vector<int>{6}));
   EXPECT_EQ(again.provenance.choice, "compared");
+  EXPECT_EQ(again.provenance.fluid_pressure_MPa, 20.0);
 }
 
 TEST(SurrogateModelFile, FilesFromBeforeSmoothingAreRead) {

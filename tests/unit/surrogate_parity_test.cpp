@@ -167,6 +167,18 @@ TEST(SurrogateParity, CasesOfAnotherStudyAreAllUnseen) {
   EXPECT_EQ(seen.outside_training_range, 0);
 }
 
+TEST(SurrogateParity, CutsUnderAnotherMudPressureAreRefused) {
+  TrainingData data = constructed();
+  data.fluid_pressure_MPa = 20.0;
+  EXPECT_NE(surrogate_fixture::refusal([&] {
+              surrogate::parity(constant_model(), data);
+            }).find("cut under fluid_pressure_MPa = 20, and the networks have learnt from cuts under 0"),
+            std::string::npos);
+  surrogate::Model model = constant_model();
+  model.provenance.fluid_pressure_MPa = 20.0;
+  EXPECT_EQ(surrogate::parity(model, data).outputs[0].all.cases, 5);
+}
+
 TEST(SurrogateParity, CountsHeldOutCasesOutsideTheTrainingRange) {
   TrainingData data = constructed();
   data.rows.back().inputs[1] = 9.0;   // case 9: depths were learnt from 1 to 5 mm
