@@ -196,6 +196,7 @@ std::span<const LabQuantity> lab_quantities() {
 
 base::Summary summary_of(const LabQuantity& quantity, const std::vector<dem2d::LabRun>& runs) {
   std::vector<double> values;
+  values.reserve(runs.size());
   for (const dem2d::LabRun& run : runs) values.push_back(quantity.of(run));
   return base::summarise(values);
 }
