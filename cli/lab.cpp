@@ -18,8 +18,6 @@ namespace bitrock::cli {
 
 namespace {
 
-constexpr double most_pressure_MPa = 1000.0;  // ten times the mud pressure of the deepest wells
-
 struct Options {
   CommonOptions common;
   int jobs = 1;
@@ -30,13 +28,6 @@ struct Options {
   dem2d::LabSettings settings;
   bool rate_check = false;
 };
-
-dem2d::LabTest test_named(const std::string& name) {
-  for (const dem2d::LabTest test : dem2d::lab_tests) {
-    if (name == dem2d::name_of(test)) return test;
-  }
-  throw base::InputError(fmt::format("test '{}' (must be ucs, tension, brazilian or triaxial)", name));
-}
 
 void take_given_specimen(const Options& options, studies::LabSeries& series) {
   if (options.seeds_given || options.width_mm > 0.0 || options.height_mm > 0.0)
@@ -66,7 +57,8 @@ studies::LabSeries make_series(const Options& options) {
   series.settings.width = options.width_mm > 0.0 ? options.width_mm * 1e-3 : series.rock.specimen_width;
   series.settings.height = options.height_mm > 0.0 ? options.height_mm * 1e-3 : series.rock.specimen_height;
   if (!options.pressures.empty()) {
-    series.pressures = base::values_in("--confining-pressures-MPa", options.pressures, 0.0, most_pressure_MPa);
+    const base::Range& allowed = dem2d::confining_pressure_MPa;
+    series.pressures = base::values_in("--confining-pressures-MPa", options.pressures, allowed.low, allowed.high);
     for (double& pressure : series.pressures) pressure *= base::MPa;
   }
   if (options.specimen_file.empty()) {
@@ -204,7 +196,7 @@ void add_lab(CLI::App& app) {
   add_jobs(*command, options->jobs, "specimens", Spelling::jobs_or_threads);
   add_check(*command, options->common);
   command->callback([options, seeds, platen_friction] {
-    options->test = test_named(options->test_name);
+    options->test = dem2d::lab_test_named(options->test_name);
     options->seeds_given = seeds->count() > 0;
     options->platen_friction_given = platen_friction->count() > 0;
     run(*options);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -25,27 +24,6 @@ namespace {
 
 using dem2d::CutCase, dem2d::CutRun, dem2d::Energies, dem2d::Frame;
 
-/// `/energy` of a run file.
-struct EnergyName {
-  const char* name;
-  double Energies::*member;
-  bool of_mud = false;  ///< only of cuts under mud
-};
-constexpr std::array<EnergyName, 14> energy_names{{{"cutter_work_J_per_m", &Energies::boundary_work},
-                                                   {"kinetic_J_per_m", &Energies::kinetic},
-                                                   {"strain_joints_J_per_m", &Energies::strain_joints},
-                                                   {"strain_contacts_J_per_m", &Energies::strain_contacts},
-                                                   {"strain_boundaries_J_per_m", &Energies::strain_boundaries},
-                                                   {"friction_J_per_m", &Energies::friction},
-                                                   {"dashpots_J_per_m", &Energies::dashpots},
-                                                   {"local_damping_J_per_m", &Energies::local_damping},
-                                                   {"breaking_J_per_m", &Energies::breaking},
-                                                   {"switching_J_per_m", &Energies::switching},
-                                                   {"removed_J_per_m", &Energies::removed},
-                                                   {"injected_J_per_m", &Energies::injected},
-                                                   {"mud_work_J_per_m", &Energies::mud_work, true},
-                                                   {"entered_J_per_m", &Energies::entered, true}}};
-
 struct Run {
   CutCase cut;
   CutRun run;
@@ -54,12 +32,16 @@ struct Run {
   std::string file;                                   ///< it was read from; empty: made here
 };
 
+std::string array_name(const dem2d::EnergyEntry& entry) {
+  return fmt::format("{}_J_per_m", entry.name);
+}
+
 std::map<std::string, std::vector<double>> energies_of(const CutRun& run) {
   std::map<std::string, std::vector<double>> energy;
   if (run.energies.empty()) return energy;
-  for (const auto& [name, member, of_mud] : energy_names) {
-    if (of_mud && run.settled.steps == 0) continue;
-    for (const Energies& instant : run.energies) energy[name].push_back(instant.*member);
+  for (const dem2d::EnergyEntry& entry : dem2d::energy_entries) {
+    if (entry.only_under_mud && run.settled.steps == 0) continue;
+    for (const Energies& instant : run.energies) energy[array_name(entry)].push_back(instant.*entry.value);
   }
   return energy;
 }
@@ -67,9 +49,9 @@ std::map<std::string, std::vector<double>> energies_of(const CutRun& run) {
 std::map<std::string, std::vector<double>> energies_of(const base::Hdf5Reader& file) {
   std::map<std::string, std::vector<double>> energy;
   if (!file.has("/energy")) return energy;
-  for (const auto& [name, member, of_mud] : energy_names) {
-    const std::string path = std::string("/energy/") + name;
-    if (!of_mud || file.has(path)) energy[name] = file.doubles(path);
+  for (const dem2d::EnergyEntry& entry : dem2d::energy_entries) {
+    const std::string path = "/energy/" + array_name(entry);
+    if (!entry.only_under_mud || file.has(path)) energy[array_name(entry)] = file.doubles(path);
   }
   return energy;
 }

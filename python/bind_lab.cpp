@@ -24,13 +24,6 @@ namespace {
 
 using dem2d::LabRun, dem2d::LabSample, dem2d::LabTest, studies::LabResults, studies::LabSeries;
 
-LabTest test_named(const std::string& name) {
-  for (const LabTest test : dem2d::lab_tests) {
-    if (name == dem2d::name_of(test)) return test;
-  }
-  throw base::InputError(fmt::format("test '{}' (must be ucs, tension, brazilian or triaxial)", name));
-}
-
 std::vector<std::uint64_t> seeds_of(const py::object& seeds) {
   std::vector<std::uint64_t> list;
   if (py::isinstance<py::str>(seeds)) {
@@ -81,15 +74,12 @@ py::object envelope(const LabResults& results) {
   const studies::EnvelopeOfSeeds lines = studies::envelope_of(results.runs);
   if (lines.empty()) return py::none();
   py::dict dict;
-  const auto add = [&](const std::string& key, double studies::Envelope::*member, double unit) {
-    const base::Summary s = lines.of(member);
-    dict[py::str(key)] = s.mean / unit;
-    dict[py::str("sd_" + key)] = s.count > 1 ? s.standard_deviation / unit : std::nan("");
-  };
-  add("friction_angle_deg", &studies::Envelope::friction_angle, base::deg);
-  add("cohesion_Pa", &studies::Envelope::cohesion, 1.0);
-  add("strength_at_zero_Pa", &studies::Envelope::strength_at_zero, 1.0);
-  add("slope", &studies::Envelope::slope, 1.0);
+  for (const studies::EnvelopeQuantity& quantity : studies::envelope_quantities) {
+    const base::Summary s = lines.of(quantity.value);
+    dict[quantity.key] = s.mean / quantity.unit;
+    dict[py::str(std::string("sd_") + quantity.key)] =
+        s.count > 1 ? s.standard_deviation / quantity.unit : std::nan("");
+  }
   return dict;
 }
 
@@ -107,9 +97,9 @@ py::object rate_check(const LabResults& results) {
 LabResults lab(const std::string& test, const py::object& rock, const py::object& seeds, const py::object& specimen,
                std::optional<double> width_mm, std::optional<double> height_mm, double strain_rate_per_s,
                double local_damping, std::optional<double> platen_friction,
-               std::optional<std::vector<double>> confining_pressures_MPa, bool check_rate, std::optional<int> jobs,
-               const py::object& progress) {
-  LabSeries series{.test = test_named(test),
+               const std::optional<std::vector<double>>& confining_pressures_MPa, bool check_rate,
+               std::optional<int> jobs, const py::object& progress) {
+  LabSeries series{.test = dem2d::lab_test_named(test),
                    .rock = read_input(rock, "rock", dem2d::read_rock, dem2d::parse_rock),
                    .rate_check = check_rate};
   if (series.test == LabTest::brazilian && height_mm)
@@ -120,7 +110,7 @@ LabResults lab(const std::string& test, const py::object& rock, const py::object
     throw base::InputError("confining_pressures_MPa: a list for a triaxial test, None for the others");
   if (confining_pressures_MPa) series.pressures.clear();
   for (const double pressure : confining_pressures_MPa.value_or(std::vector<double>{})) {
-    require_within("confining_pressures_MPa", pressure, base::between(0.0, 1000.0));
+    require_within("confining_pressures_MPa", pressure, dem2d::confining_pressure_MPa);
     series.pressures.push_back(pressure * base::MPa);
   }
   if (series.pressures.empty()) throw base::InputError("confining_pressures_MPa: none (must be at least one)");

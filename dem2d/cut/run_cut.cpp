@@ -216,7 +216,7 @@ CutRun run_cut(const CutCase& cut, const Specimen& bed, const CutOptions& option
     for (int step = 1; step <= schedule.steps_per_sample; ++step) {
       find_forces(world);
       if (options.measure_energy && counts && step == schedule.steps_per_sample)
-        run.energies.push_back(under_mud ? since(start, read_energies(world)) : read_energies(world));
+        run.energies.push_back(since(start, read_energies(world)));
       move(world);
       impulse_x -= world.boundaries[0].force_x + world.boundaries[0].mud_x;
       impulse_y += world.boundaries[0].force_y + world.boundaries[0].mud_y;

@@ -45,9 +45,9 @@ struct CutRun {
   int cracks_tensile = 0, cracks_shear = 0;
   int removed_discs = 0;
   double energy_residual_fraction = 0.0;  ///< what the ledger cannot find, over the cutter's work [1]
+  double energy_injected_fraction = 0.0;  ///< what the scheme gave to the rock (Energies), over the cutter's work [1]
   Settled settled;                        ///< before the cut, under mud
   int forced_entries = 0;                 ///< times that rock entered over rock out of place, under mud
-  double energy_injected_fraction = 0.0;  ///< what the scheme gave to the rock (Energies), over the cutter's work [1]
   double wall_time = 0.0;                 ///< [s]
   double core_time = 0.0;  ///< time on cores: less than wall time on one thread when others use the machine [s]
   double nanoseconds_per_disc_step = 0.0;

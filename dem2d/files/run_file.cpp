@@ -48,27 +48,13 @@ void write_cracks(base::Hdf5Writer& file, const std::vector<Crack>& cracks) {
 
 void write_energies(base::Hdf5Writer& file, const std::vector<Energies>& energies, bool under_mud) {
   if (energies.empty()) return;
-  const auto write = [&](const std::string& name, double Energies::*member, const char* meaning) {
+  for (const EnergyEntry& entry : energy_entries) {
+    if (entry.only_under_mud && !under_mud) continue;
     std::vector<double> values;
     values.reserve(energies.size());
-    for (const Energies& instant : energies) values.push_back(instant.*member);
-    file.array("/energy/" + name + "_J_per_m", values, "J/m", meaning);
-  };
-  write("cutter_work", &Energies::boundary_work, "work of the cutter so far");
-  write("kinetic", &Energies::kinetic, "of all discs in the domain");
-  write("strain_joints", &Energies::strain_joints, "elastic, in flat joints");
-  write("strain_contacts", &Energies::strain_contacts, "elastic, in contacts of loose discs");
-  write("strain_boundaries", &Energies::strain_boundaries, "elastic, in contacts with cutter and walls");
-  write("friction", &Energies::friction, "lost to friction so far");
-  write("dashpots", &Energies::dashpots, "lost to dashpots so far");
-  write("local_damping", &Energies::local_damping, "lost to local damping so far");
-  write("breaking", &Energies::breaking, "released by elements that broke so far");
-  write("switching", &Energies::switching, "lost by springs that closed or opened within a step so far");
-  write("removed", &Energies::removed, "gone with discs that left the domain so far");
-  write("injected", &Energies::injected, "net, by contacts that took over from joints so far");
-  if (!under_mud) return;
-  write("mud_work", &Energies::mud_work, "work of the mud on the rock so far");
-  write("entered", &Energies::entered, "elastic, of rock that came in under pressure so far");
+    for (const Energies& instant : energies) values.push_back(instant.*entry.value);
+    file.array(fmt::format("/energy/{}_J_per_m", entry.name), values, "J/m", entry.meaning);
+  }
 }
 
 /// What the mud did; nothing without mud.

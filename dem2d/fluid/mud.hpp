@@ -25,7 +25,8 @@
 
 namespace bitrock::dem2d {
 
-/// A tenth of an opening that a grain's tolerance allows, and some ten micrometres in grains of half a millimetre.
+/// [1] Ten micrometres in grains of half a millimetre: a narrower crack takes as long to fill with mud as a chip is
+/// made (docs/theory/mud.md). Of the smallest radius.
 inline constexpr double usual_seal_gap_over_radius = 0.05;
 
 struct Mud {

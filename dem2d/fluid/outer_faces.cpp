@@ -1,9 +1,10 @@
 #include "dem2d/fluid/outer_faces.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+
+#include "base/union_find.hpp"
 
 namespace bitrock::dem2d {
 
@@ -32,25 +33,14 @@ bool comes_first(const Direction& from, const Direction& a, const Direction& b) 
   return of_a != of_b ? of_a < of_b : cross(a, b) > 0.0;
 }
 
-int root(std::vector<int>& parent, int disc) {
-  while (parent[static_cast<std::size_t>(disc)] != disc) {
-    int& up = parent[static_cast<std::size_t>(disc)];
-    up = parent[static_cast<std::size_t>(up)];
-    disc = up;
-  }
-  return disc;
-}
-
 /// Whose neighbour is who, and which discs hang together.
 void make_graph(std::size_t discs, std::span<const int> disc1, std::span<const int> disc2, FaceSearch& search) {
-  search.parent.resize(discs);
-  std::iota(search.parent.begin(), search.parent.end(), 0);
+  base::start_pieces(search.parent, discs);
   search.first.assign(discs + 1, 0);
   for (std::size_t k = 0; k < disc1.size(); ++k) {
     ++search.first[static_cast<std::size_t>(disc1[k])];
     ++search.first[static_cast<std::size_t>(disc2[k])];
-    const int a = root(search.parent, disc1[k]), b = root(search.parent, disc2[k]);
-    search.parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    base::unite(search.parent, disc1[k], disc2[k]);
   }
   // sums give the ends of the lists; filling from behind makes them beginnings
   std::partial_sum(search.first.begin(), search.first.end(), search.first.begin());
@@ -136,7 +126,7 @@ void find_outer_faces(std::span<const double> x, std::span<const double> y, std:
   const Graph graph{x, y, search};
   search.lowest.assign(x.size(), -1);
   for (int disc = 0; disc < static_cast<int>(x.size()); ++disc) {
-    int& lowest = search.lowest[static_cast<std::size_t>(root(search.parent, disc))];
+    int& lowest = search.lowest[static_cast<std::size_t>(base::root(search.parent, disc))];
     if (lowest < 0 || graph.is_lower(disc, lowest)) lowest = disc;
   }
   faces.stops.clear();

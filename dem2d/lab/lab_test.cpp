@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "base/stop.hpp"
+#include "base/units.hpp"
 #include "dem2d/lab/curve.hpp"
 #include "dem2d/lab/load_frame.hpp"
 #include "dem2d/lab/loading_rate.hpp"
@@ -215,6 +216,13 @@ const char* name_of(LabTest test) {
   return "";
 }
 
+LabTest lab_test_named(const std::string& name) {
+  for (const LabTest test : lab_tests) {
+    if (name == name_of(test)) return test;
+  }
+  throw base::InputError(fmt::format("test '{}' (must be ucs, tension, brazilian or triaxial)", name));
+}
+
 LabBox specimen_box(LabTest test, const LabSettings& settings) {
   return {settings.width, test == LabTest::brazilian ? settings.width : settings.height};
 }
@@ -233,8 +241,8 @@ void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& setti
   require(within(settings.platen_friction, 0.0, 10.0), "platen friction", settings.platen_friction, "0 to 10");
   require(within(settings.stop_fraction, 0.0, 0.99), "stop fraction", settings.stop_fraction, "0 to 0.99");
   require(within(settings.largest_strain, 0.0, 0.9), "largest strain", settings.largest_strain, "0 to 0.9");
-  require(within(settings.confining_pressure, 0.0, 1e9), "confining pressure [Pa]", settings.confining_pressure,
-          "0 to 1e9");
+  require(confining_pressure_MPa.contains(settings.confining_pressure / base::MPa), "confining pressure [Pa]",
+          settings.confining_pressure, "0 to 1e9");
   if (test != LabTest::triaxial)
     require(settings.confining_pressure == 0.0, "confining pressure [Pa]", settings.confining_pressure,
             "0 but in a triaxial test");

@@ -53,6 +53,7 @@
 #include <string>
 #include <vector>
 
+#include "base/config.hpp"
 #include "base/progress.hpp"
 #include "dem2d/specimen/genesis.hpp"
 
@@ -122,6 +123,11 @@ struct LabRun {
 
 /// The name used on the command line and in files: ucs, tension, brazilian, triaxial.
 const char* name_of(LabTest test);
+/// The test of this name; throws `InputError` for any other.
+LabTest lab_test_named(const std::string& name);
+
+/// Allowed pressures: ten times the mud pressure of the deepest wells.
+inline constexpr base::Range confining_pressure_MPa{.low = 0.0, .high = 1000.0};
 
 /// Throws `InputError` beginning with `source` when the settings make no test of this rock.
 void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& settings, const std::string& source);

@@ -1,36 +1,22 @@
 #include "dem2d/specimen/pieces.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "base/union_find.hpp"
 
 namespace bitrock::dem2d {
 
-namespace {
-
-/// Root of a disc in the forest of union-find, with path halving.
-int root(std::vector<int>& parent, int disc) {
-  while (parent[static_cast<std::size_t>(disc)] != disc) {
-    int& up = parent[static_cast<std::size_t>(disc)];
-    up = parent[static_cast<std::size_t>(up)];
-    disc = up;
-  }
-  return disc;
-}
-
-}  // namespace
-
 std::vector<int> label_pieces(std::size_t discs, std::span<const int> disc1, std::span<const int> disc2,
                               std::span<const int> bonded) {
-  std::vector<int> parent(discs);
-  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<int> parent;
+  base::start_pieces(parent, discs);
   for (std::size_t k = 0; k < disc1.size(); ++k) {
     if (!bonded.empty() && bonded[k] == 0) continue;
-    const int a = root(parent, disc1[k]), b = root(parent, disc2[k]);
-    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    base::unite(parent, disc1[k], disc2[k]);
   }
   std::vector<int> size(parent.size(), 0), roots;
   for (int disc = 0; disc < static_cast<int>(parent.size()); ++disc) {
-    const int top = root(parent, disc);
+    const int top = base::root(parent, disc);
     if (size[static_cast<std::size_t>(top)]++ == 0) roots.push_back(top);
   }
   std::stable_sort(roots.begin(), roots.end(), [&size](int a, int b) {
@@ -40,7 +26,7 @@ std::vector<int> label_pieces(std::size_t discs, std::span<const int> disc1, std
   for (std::size_t rank = 0; rank < roots.size(); ++rank)
     number[static_cast<std::size_t>(roots[rank])] = static_cast<int>(rank);
   for (std::size_t disc = 0; disc < parent.size(); ++disc) {
-    label[disc] = number[static_cast<std::size_t>(root(parent, static_cast<int>(disc)))];
+    label[disc] = number[static_cast<std::size_t>(base::root(parent, static_cast<int>(disc)))];
   }
   return label;
 }

@@ -28,11 +28,6 @@ Component at_instant(double mass, double inverse_mass, double velocity, double f
           .damping = 0.5 * loss * velocity * dt};
 }
 
-double centre_distance(const Discs& d, std::size_t i, std::size_t j) {
-  const double dx = d.x[j] - d.x[i], dy = d.y[j] - d.y[i];
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 double contact_energy(const World& world, std::size_t contact) {
   const auto i = static_cast<std::size_t>(world.contacts.disc1[contact]),
              j = static_cast<std::size_t>(world.contacts.disc2[contact]);
@@ -114,20 +109,9 @@ Energies read_energies(const World& world) {
 }
 
 Energies since(const Energies& start, const Energies& now) {
-  return {.kinetic = now.kinetic - start.kinetic,
-          .strain_joints = now.strain_joints - start.strain_joints,
-          .strain_contacts = now.strain_contacts - start.strain_contacts,
-          .strain_boundaries = now.strain_boundaries - start.strain_boundaries,
-          .friction = now.friction - start.friction,
-          .dashpots = now.dashpots - start.dashpots,
-          .local_damping = now.local_damping - start.local_damping,
-          .breaking = now.breaking - start.breaking,
-          .switching = now.switching - start.switching,
-          .removed = now.removed - start.removed,
-          .injected = now.injected - start.injected,
-          .entered = now.entered - start.entered,
-          .boundary_work = now.boundary_work - start.boundary_work,
-          .mud_work = now.mud_work - start.mud_work};
+  Energies come;
+  for (const EnergyEntry& entry : energy_entries) come.*entry.value = now.*entry.value - start.*entry.value;
+  return come;
 }
 
 double energy_residual(const Energies& start, const Energies& now) {

@@ -57,6 +57,29 @@ struct Energies {
 /// the lists, so the numbers are the same for any number of threads.
 Energies read_energies(const World& world);
 
+/// An entry of the ledger, and what it is called in run files and in Python, with "_J_per_m" behind it.
+struct EnergyEntry {
+  const char* name;
+  double Energies::*value;
+  const char* meaning;
+  bool only_under_mud = false;  ///< always 0 without mud
+};
+inline constexpr EnergyEntry energy_entries[] = {
+    {"cutter_work", &Energies::boundary_work, "work of the cutter so far"},
+    {"kinetic", &Energies::kinetic, "of all discs in the domain"},
+    {"strain_joints", &Energies::strain_joints, "elastic, in flat joints"},
+    {"strain_contacts", &Energies::strain_contacts, "elastic, in contacts of loose discs"},
+    {"strain_boundaries", &Energies::strain_boundaries, "elastic, in contacts with cutter and walls"},
+    {"friction", &Energies::friction, "lost to friction so far"},
+    {"dashpots", &Energies::dashpots, "lost to dashpots so far"},
+    {"local_damping", &Energies::local_damping, "lost to local damping so far"},
+    {"breaking", &Energies::breaking, "released by elements that broke so far"},
+    {"switching", &Energies::switching, "lost by springs that closed or opened within a step so far"},
+    {"removed", &Energies::removed, "gone with discs that left the domain so far"},
+    {"injected", &Energies::injected, "net, by contacts that took over from joints so far"},
+    {"mud_work", &Energies::mud_work, "work of the mud on the rock so far", true},
+    {"entered", &Energies::entered, "elastic, of rock that came in under pressure so far", true}};
+
 /// What has come since `start`, entry by entry.
 Energies since(const Energies& start, const Energies& now);
 

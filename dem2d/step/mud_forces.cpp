@@ -1,10 +1,10 @@
 // What the mud does to the discs (fluid/mud.hpp), and when its faces are looked at anew.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "base/errors.hpp"
+#include "dem2d/step/pair_motion.hpp"
 #include "dem2d/step/stages.hpp"
 
 namespace bitrock::dem2d {
@@ -15,12 +15,6 @@ namespace {
 // wider than a fiftieth of a radius in that time. A look costs about one step.
 constexpr int steps_between_looks = 16;
 
-double distance(const Discs& discs, int a, int b) {
-  const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-  const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
-  return std::sqrt(dx * dx + dy * dy);
-}
-
 /// Bonds, and cracks that are narrower than the seal gap at their middle; and closed contacts of debris, measured from
 /// where they carry no force, as the joint they took over from was.
 void list_seals(const World& world, Mud& mud) {
@@ -30,10 +24,13 @@ void list_seals(const World& world, Mud& mud) {
     mud.disc1.push_back(a);
     mud.disc2.push_back(b);
   };
+  const auto distance = [&discs = world.discs](int a, int b) {
+    return centre_distance(discs, static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+  };
   const FlatJoints& joints = world.joints;
   for (std::size_t j = 0; j < joints.disc1.size(); ++j) {
     const int a = joints.disc1[j], b = joints.disc2[j];
-    if (joints.bonded[j] > 0 || distance(world.discs, a, b) - joints.touching_distance[j] < mud.seal_gap) add(a, b);
+    if (joints.bonded[j] > 0 || distance(a, b) - joints.touching_distance[j] < mud.seal_gap) add(a, b);
   }
   if (!mud.debris_seals) return;
   const LinearContacts& contacts = world.contacts;
@@ -41,7 +38,7 @@ void list_seals(const World& world, Mud& mud) {
     const int a = contacts.disc1[c], b = contacts.disc2[c];
     const double touching = world.discs.radius[static_cast<std::size_t>(a)] +
                             world.discs.radius[static_cast<std::size_t>(b)] - contacts.reference_overlap[c];
-    if (distance(world.discs, a, b) - touching < mud.seal_gap) add(a, b);
+    if (distance(a, b) - touching < mud.seal_gap) add(a, b);
   }
 }
 

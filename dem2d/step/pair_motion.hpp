@@ -8,6 +8,12 @@
 
 namespace bitrock::dem2d {
 
+/// [m]
+inline double centre_distance(const Discs& discs, std::size_t i, std::size_t j) {
+  const double dx = discs.x[j] - discs.x[i], dy = discs.y[j] - discs.y[i];
+  return std::sqrt(dx * dx + dy * dy);
+}
+
 /// How disc 2 moves against disc 1 at their contact: n from 1 to 2, t = z x n; `lever` from centre to contact point.
 struct PairMotion {
   double distance, normal_x, normal_y;  ///< between centres [m]; from disc 1 to disc 2 [1]

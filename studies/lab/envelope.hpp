@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/statistics.hpp"
+#include "base/units.hpp"
 #include "dem2d/lab/lab_test.hpp"
 
 namespace bitrock::studies {
@@ -28,6 +29,17 @@ struct Envelope {
   double friction_angle;    ///< phi [rad]
   double cohesion;          ///< c [Pa]
 };
+
+/// A constant of the line, its name in JSON and Python, and the unit of that name.
+struct EnvelopeQuantity {
+  const char* key;
+  double Envelope::*value;
+  double unit;
+};
+inline constexpr EnvelopeQuantity envelope_quantities[] = {{"friction_angle_deg", &Envelope::friction_angle, base::deg},
+                                                           {"cohesion_Pa", &Envelope::cohesion, 1.0},
+                                                           {"strength_at_zero_Pa", &Envelope::strength_at_zero, 1.0},
+                                                           {"slope", &Envelope::slope, 1.0}};
 
 /// Of at least two tests at different pressures.
 Envelope fit_envelope(const std::vector<const dem2d::LabRun*>& runs);

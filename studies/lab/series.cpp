@@ -194,11 +194,24 @@ std::span<const LabQuantity> lab_quantities() {
   return quantities;
 }
 
-base::Summary summary_of(const LabQuantity& quantity, const std::vector<dem2d::LabRun>& runs) {
+base::Summary summary_of(const LabQuantity& quantity, std::span<const dem2d::LabRun> runs) {
   std::vector<double> values;
   values.reserve(runs.size());
   for (const dem2d::LabRun& run : runs) values.push_back(quantity.of(run));
   return base::summarise(values);
+}
+
+std::vector<std::span<const dem2d::LabRun>> by_pressure(std::span<const dem2d::LabRun> runs) {
+  std::vector<std::span<const dem2d::LabRun>> parts;
+  while (!runs.empty()) {
+    const auto other = std::find_if(runs.begin(), runs.end(), [&](const dem2d::LabRun& run) {
+      return run.confining_pressure != runs.front().confining_pressure;
+    });
+    const auto count = static_cast<std::size_t>(other - runs.begin());
+    parts.push_back(runs.first(count));
+    runs = runs.subspan(count);
+  }
+  return parts;
 }
 
 RateCheck rate_check_of(const LabResults& results) {

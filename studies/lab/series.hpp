@@ -74,7 +74,10 @@ struct LabQuantity {
 };
 /// Peak stress first.
 std::span<const LabQuantity> lab_quantities();
-base::Summary summary_of(const LabQuantity& quantity, const std::vector<dem2d::LabRun>& runs);
+base::Summary summary_of(const LabQuantity& quantity, std::span<const dem2d::LabRun> runs);
+
+/// The tests of `LabResults`, those under one confining pressure together.
+std::vector<std::span<const dem2d::LabRun>> by_pressure(std::span<const dem2d::LabRun> runs);
 
 /// Halving the rate may change the mean strength by this share [1] before the rate counts as too fast.
 inline constexpr double allowed_rate_change = 0.03;

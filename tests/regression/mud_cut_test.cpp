@@ -11,6 +11,7 @@
 #include "dem2d/specimen/packing_stress.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/small_cuts.hpp"
+#include "tests/unit/small_worlds.hpp"
 
 using namespace bitrock;
 
@@ -37,15 +38,6 @@ const dem2d::Specimen& bed() {
   return made;
 }
 
-double area_inside(const dem2d::World& world) {
-  double twice = 0.0;
-  for (const dem2d::FaceStop& stop : world.mud.faces.stops) {
-    const auto a = static_cast<std::size_t>(stop.disc), b = static_cast<std::size_t>(stop.after);
-    twice += world.discs.x[a] * world.discs.y[b] - world.discs.x[b] * world.discs.y[a];
-  }
-  return 0.5 * twice;
-}
-
 TEST(MudCut, TheBedSettlesUnderTheSamePressureInAllDirections) {
   // the mean stress in the polygon that the mud presses on is its pressure, by the balance of each disc
   for (const double pressure : {1e6, 20e6}) {
@@ -54,7 +46,7 @@ TEST(MudCut, TheBedSettlesUnderTheSamePressureInAllDirections) {
     const double tip = *std::min_element(world.boundaries[0].shape.y.begin(), world.boundaries[0].shape.y.end());
     const dem2d::Settled settled = dem2d::settle_under_mud(world, cut);
     dem2d::find_forces(world);
-    const dem2d::Stress stress = dem2d::mean_stress(world, area_inside(world));
+    const dem2d::Stress stress = dem2d::mean_stress(world, small_worlds::area_inside_faces(world));
     EXPECT_NEAR(stress.xx, -pressure, 1e-3 * pressure);
     EXPECT_NEAR(stress.yy, -pressure, 1e-3 * pressure);
     EXPECT_NEAR(stress.xy, 0.0, 1e-3 * pressure);

@@ -62,4 +62,14 @@ inline void joint_forces(dem2d::World& world) {
   dem2d::joint_forces(world);
 }
 
+/// Inside the polygons that the mud presses on [m2].
+inline double area_inside_faces(const dem2d::World& world) {
+  double twice = 0.0;
+  for (const dem2d::FaceStop& stop : world.mud.faces.stops) {
+    const auto a = static_cast<std::size_t>(stop.disc), b = static_cast<std::size_t>(stop.after);
+    twice += world.discs.x[a] * world.discs.y[b] - world.discs.x[b] * world.discs.y[a];
+  }
+  return 0.5 * twice;
+}
+
 }  // namespace small_worlds

@@ -343,26 +343,17 @@ TEST(Mud, EntersANotchAndNotAHoleInside) {
   EXPECT_NEAR(on_floor, -pressure * 2.0 * radius, 1e-9 * pressure * radius);
 }
 
-double area_of_the_face(const dem2d::World& world) {
-  double twice = 0.0;
-  for (const dem2d::FaceStop& stop : world.mud.faces.stops) {
-    const auto a = static_cast<std::size_t>(stop.disc), b = static_cast<std::size_t>(stop.after);
-    twice += world.discs.x[a] * world.discs.y[b] - world.discs.x[b] * world.discs.y[a];
-  }
-  return 0.5 * twice;
-}
-
 TEST(Mud, WorksByPressureTimesChangeOfArea) {
   dem2d::World world = joined(hexagonal(5, 10));
   world.ledger.measured = true;
   start(world);
   dem2d::find_forces(world);
-  const double first = area_of_the_face(world);
+  const double first = small_worlds::area_inside_faces(world);
   double most = 0.0;
   for (int step = 0; step < 1000; ++step) {
     dem2d::move(world);
     dem2d::find_forces(world);
-    const double work = -pressure * (area_of_the_face(world) - first);
+    const double work = -pressure * (small_worlds::area_inside_faces(world) - first);
     most = std::max(most, work);
     EXPECT_NEAR(world.mud.work, work, 1e-11 * pressure * first);
   }

@@ -1,10 +1,8 @@
 #include "views/json/lab_json.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
-#include "base/units.hpp"
 #include "dem2d/lab/loading_rate.hpp"
 #include "studies/lab/envelope.hpp"
 
@@ -41,7 +39,7 @@ nlohmann::json as_json(const dem2d::LabRun& run) {
           {"wall_s", run.wall_time}};
 }
 
-nlohmann::json means_of(const std::vector<dem2d::LabRun>& runs) {
+nlohmann::json means_of(std::span<const dem2d::LabRun> runs) {
   nlohmann::json json;
   for (const studies::LabQuantity& quantity : studies::lab_quantities()) {
     const base::Summary summary = studies::summary_of(quantity, runs);
@@ -54,15 +52,11 @@ nlohmann::json means_of(const std::vector<dem2d::LabRun>& runs) {
 
 nlohmann::json as_json(const studies::EnvelopeOfSeeds& envelope) {
   nlohmann::json json{{"seeds", envelope.seeds}};
-  const auto add = [&](const char* key, double studies::Envelope::*member, double unit) {
-    const base::Summary s = envelope.of(member);
-    json["mean"][key] = number(s.mean / unit);
-    json["sd"][key] = s.count > 1 ? number(s.standard_deviation / unit) : nlohmann::json(nullptr);
-  };
-  add("friction_angle_deg", &studies::Envelope::friction_angle, base::deg);
-  add("cohesion_Pa", &studies::Envelope::cohesion, 1.0);
-  add("strength_at_zero_Pa", &studies::Envelope::strength_at_zero, 1.0);
-  add("slope", &studies::Envelope::slope, 1.0);
+  for (const studies::EnvelopeQuantity& quantity : studies::envelope_quantities) {
+    const base::Summary s = envelope.of(quantity.value);
+    json["mean"][quantity.key] = number(s.mean / quantity.unit);
+    json["sd"][quantity.key] = s.count > 1 ? number(s.standard_deviation / quantity.unit) : nlohmann::json(nullptr);
+  }
   return json;
 }
 
@@ -105,13 +99,10 @@ nlohmann::json as_json(const studies::LabSeries& series, const studies::LabResul
   if (series.pressures.size() == 1) {
     json.update(means_of(results.runs));
   } else {
-    for (const double pressure : series.pressures) {
-      std::vector<dem2d::LabRun> under_it;
-      std::copy_if(results.runs.begin(), results.runs.end(), std::back_inserter(under_it),
-                   [pressure](const dem2d::LabRun& run) { return run.confining_pressure == pressure; });
-      if (under_it.empty()) continue;
-      json["by_pressure"].push_back(means_of(under_it));
-      json["by_pressure"].back()["confining_pressure_Pa"] = pressure;
+    for (const std::span<const dem2d::LabRun> runs : studies::by_pressure(results.runs)) {
+      nlohmann::json means = means_of(runs);
+      means["confining_pressure_Pa"] = runs.front().confining_pressure;
+      json["by_pressure"].push_back(std::move(means));
     }
   }
   if (const studies::EnvelopeOfSeeds envelope = studies::envelope_of(results.runs); !envelope.empty())

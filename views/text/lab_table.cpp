@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 
 #include "base/statistics.hpp"
 #include "base/units.hpp"
@@ -25,6 +26,26 @@ std::string row(const std::string& name, double strength, double modulus, double
                      cell(initiation * 1e-6, 2), cell(strain * 1e2, 3), rest);
 }
 
+/// A row a test, and their mean and scatter.
+std::string table_of(std::span<const dem2d::LabRun> runs) {
+  std::string table = fmt::format(row_format, "seed", "strength MPa", "E GPa", "nu", "cracks from MPa", "at strain %",
+                                  "cracks tension + shear");
+  for (const dem2d::LabRun& run : runs) {
+    table += row(fmt::format("{}", run.seed), run.peak_stress, run.youngs_modulus, run.poissons_ratio,
+                 run.crack_initiation_stress, run.strain_at_peak,
+                 fmt::format("{} + {}", run.cracks_tensile, run.cracks_shear));
+  }
+  if (runs.size() == 1) return table;
+  std::vector<base::Summary> s;
+  for (const studies::LabQuantity& quantity : studies::lab_quantities())
+    s.push_back(studies::summary_of(quantity, runs));
+  return table +
+         row("mean", s[0].mean, s[1].mean, s[2].mean, s[3].mean, s[4].mean,
+             fmt::format("{:.0f} + {:.0f}", s[5].mean, s[6].mean)) +
+         row("sd", s[0].standard_deviation, s[1].standard_deviation, s[2].standard_deviation, s[3].standard_deviation,
+             s[4].standard_deviation, "");
+}
+
 }  // namespace
 
 std::string plan_line(const studies::LabSeries& series, const studies::LabCost& cost) {
@@ -37,37 +58,16 @@ std::string plan_line(const studies::LabSeries& series, const studies::LabCost& 
       dem2d::expected_strength(series.test, series.rock, series.pressures.back()) * 1e-6, cost.core_seconds / 60.0);
 }
 
-namespace {
-
-std::vector<double> pressures_of(const studies::LabResults& results) {
-  std::vector<double> pressures;
-  for (const dem2d::LabRun& run : results.runs) {
-    if (pressures.empty() || pressures.back() != run.confining_pressure) pressures.push_back(run.confining_pressure);
-  }
-  return pressures;
-}
-
-std::string table_of(const studies::LabResults& results);
-
-/// Under several pressures: one table each.
-std::string tables_by_pressure(const studies::LabResults& results) {
-  std::string tables;
-  for (const double pressure : pressures_of(results)) {
-    studies::LabResults under_it;
-    for (const dem2d::LabRun& run : results.runs) {
-      if (run.confining_pressure == pressure) under_it.runs.push_back(run);
-    }
-    tables += fmt::format("confining pressure {:.4g} MPa; strengths and stresses are above it\n", pressure * 1e-6) +
-              table_of(under_it);
-  }
-  return tables;
-}
-
-}  // namespace
-
 std::string lab_table(const studies::LabResults& results) {
   if (results.runs.empty()) return "";
-  return results.runs.front().test == dem2d::LabTest::triaxial ? tables_by_pressure(results) : table_of(results);
+  if (results.runs.front().test != dem2d::LabTest::triaxial) return table_of(results.runs);
+  std::string tables;
+  for (const std::span<const dem2d::LabRun> runs : studies::by_pressure(results.runs)) {
+    tables += fmt::format("confining pressure {:.4g} MPa; strengths and stresses are above it\n",
+                          runs.front().confining_pressure * 1e-6) +
+              table_of(runs);
+  }
+  return tables;
 }
 
 std::string envelope_lines(const studies::LabResults& results) {
@@ -85,29 +85,6 @@ std::string envelope_lines(const studies::LabResults& results) {
                      part("of strength over pressure", &studies::Envelope::slope, 1.0, ""),
                      envelope.lines.size() > 1 ? " (+- standard deviation of the seeds)" : "");
 }
-
-namespace {
-
-std::string table_of(const studies::LabResults& results) {
-  std::string table = fmt::format(row_format, "seed", "strength MPa", "E GPa", "nu", "cracks from MPa", "at strain %",
-                                  "cracks tension + shear");
-  for (const dem2d::LabRun& run : results.runs) {
-    table += row(fmt::format("{}", run.seed), run.peak_stress, run.youngs_modulus, run.poissons_ratio,
-                 run.crack_initiation_stress, run.strain_at_peak,
-                 fmt::format("{} + {}", run.cracks_tensile, run.cracks_shear));
-  }
-  if (results.runs.size() == 1) return table;
-  std::vector<base::Summary> s;
-  for (const studies::LabQuantity& quantity : studies::lab_quantities())
-    s.push_back(studies::summary_of(quantity, results.runs));
-  return table +
-         row("mean", s[0].mean, s[1].mean, s[2].mean, s[3].mean, s[4].mean,
-             fmt::format("{:.0f} + {:.0f}", s[5].mean, s[6].mean)) +
-         row("sd", s[0].standard_deviation, s[1].standard_deviation, s[2].standard_deviation, s[3].standard_deviation,
-             s[4].standard_deviation, "");
-}
-
-}  // namespace
 
 std::string rate_check_line(double strain_rate, const studies::LabResults& results) {
   const studies::RateCheck check = studies::rate_check_of(results);
