@@ -49,13 +49,13 @@ void run(Options options) {
   std::vector<std::filesystem::path> inputs(options.data_files.begin(), options.data_files.end());
   inputs.emplace_back(options.init_from);
   require_outputs(options.common, inputs, {options.output});
-  if (options.init_from.empty()) surrogate::require_varied_inputs(data.rows, data.file);
-  for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
-  for (const std::string& doubt : surrogate::learning_warnings(data)) warn(options.common, doubt);
-  const std::size_t cases = surrogate::case_numbers(data).size();
   options.train.patience =
       options.patience.value_or(options.train.validation > 0.0 ? surrogate::recommended_patience : 0);
   surrogate::check_options(options.train);
+  if (options.init_from.empty()) surrogate::require_varied_inputs(data.rows, data.file);
+  for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
+  for (const std::string& doubt : surrogate::learning_warnings(data, options.train)) warn(options.common, doubt);
+  const std::size_t cases = surrogate::case_numbers(data).size();
   if (options.common.check) {
     say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", data.file, data.rows.size(), cases,
         surrogate::output_count(data), surrogate::parameter_count(options.train.layers));

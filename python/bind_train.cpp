@@ -30,8 +30,8 @@ surrogate::Model train(const py::object& data_source, TrainOptions options, cons
   const surrogate::TrainingData data = training_data(data_source);
   if (options.init_from == nullptr) surrogate::require_varied_inputs(data.rows, data.file);
   warn(surrogate::warnings(data));
-  warn(surrogate::learning_warnings(data));
   surrogate::check_options(options);
+  warn(surrogate::learning_warnings(data, options));
   return computed(progress, {"training", "epochs"},
                   [&](const base::ProgressCallback& listener) { return surrogate::train(data, options, listener); });
 }

@@ -112,8 +112,16 @@ std::vector<std::string> warnings(const TrainingData& data) {
   return all;
 }
 
-std::vector<std::string> learning_warnings(const TrainingData& data) {
+std::vector<std::string> learning_warnings(const TrainingData& data, const TrainOptions& options) {
   std::vector<std::string> all;
+  const std::size_t cases = case_numbers(data).size();
+  const std::size_t parameters = parameter_count(options.layers);
+  if (options.init_from == nullptr && cases < parameters) {
+    all.push_back(
+        fmt::format("{}: {} cases for networks of {} parameters each: they may meet every case and be far off between "
+                    "them (cut more conditions, or start from the networks of a like rock with --init-from)",
+                    data.file, cases, parameters));
+  }
   for (const Variable& input : input_variables(data.rows)) {
     if (varies(input)) continue;
     all.push_back(

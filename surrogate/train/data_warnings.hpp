@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "surrogate/train/data.hpp"
+#include "surrogate/train/train.hpp"
 
 namespace bitrock::surrogate {
 
 /// Of data for any use. One sentence a kind, with the first places.
 std::vector<std::string> warnings(const TrainingData& data);
 
-/// Of data that networks are to learn from: inputs and outputs that are the same in all rows.
-std::vector<std::string> learning_warnings(const TrainingData& data);
+/// Of data that networks are to learn from: inputs and outputs that are the same in all rows, and fewer cases than a
+/// network that begins from random numbers has parameters: it may meet each case and be anywhere between them.
+std::vector<std::string> learning_warnings(const TrainingData& data, const TrainOptions& options);
 
 /// Throws `base::InputError` when no input varies over the rows: then every network could only learn one number, and
 /// most random starts give none.

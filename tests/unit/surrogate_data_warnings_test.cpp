@@ -36,7 +36,7 @@ TEST(SurrogateDataWarnings, GoodDataHaveNone) {
   EXPECT_TRUE(surrogate::warnings(data).empty());
   const TrainingData shipped = surrogate::read_training_data(BITROCK_SOURCE_DIR "/campaigns/paper240/features.csv");
   EXPECT_TRUE(surrogate::warnings(shipped).empty());
-  EXPECT_TRUE(surrogate::learning_warnings(shipped).empty());
+  EXPECT_TRUE(surrogate::learning_warnings(shipped, surrogate::recommended()).empty());
 }
 
 TEST(SurrogateDataWarnings, OneConditionUnderTwoNumbers) {
@@ -63,7 +63,13 @@ TEST(SurrogateDataWarnings, CountsThatDoNotFit) {
 TEST(SurrogateDataWarnings, WhatTeachesNothing) {
   const TrainingData data = read_text(features_header + "1,1,1,2,15,0.05,0.1,1000,400,3,7,0,500,200,2,5,9\n" +
                                       "2,1,1,3,15,0.05,0.1,1100,500,3,8,0,600,210,3,6,8\n");
-  const auto all = surrogate::learning_warnings(data);
+  surrogate::TrainOptions few_parameters = quick();
+  few_parameters.layers = {3, 1};
+  EXPECT_NE(surrogate::learning_warnings(data, few_parameters)[0].find("2 cases for networks of 4 parameters each"),
+            std::string::npos);
+  const surrogate::Model start;  // its numbers stand for the cases that are missing
+  few_parameters.init_from = &start;
+  const auto all = surrogate::learning_warnings(data, few_parameters);
   ASSERT_EQ(all.size(), 4u);
   EXPECT_NE(all[0].find("cutter_speed_m_per_s is 1 in all rows"), std::string::npos) << all[0];
   EXPECT_NE(all[1].find("back_rake_deg is 15 in all rows"), std::string::npos) << all[1];
