@@ -21,7 +21,7 @@ namespace {
 struct Options {
   CommonOptions common;
   int jobs = 1;
-  std::string test_name, rock_file, specimen_file, folder, seeds = "1", pressures;
+  std::string test_name, rock_file, specimen_file, folder, seeds = "1", pressures, notches;
   dem2d::LabTest test = dem2d::LabTest::ucs;  ///< that of `test_name`
   bool seeds_given = false, platen_friction_given = false;
   double width_mm = 0.0, height_mm = 0.0;  ///< 0: those of the rock file
@@ -40,12 +40,15 @@ void take_given_specimen(const Options& options, studies::LabSeries& series) {
 void refuse_flags_of_other_tests(const Options& options) {
   if (options.test == dem2d::LabTest::brazilian && options.height_mm > 0.0)
     throw base::InputError("--height-mm: a Brazilian disc has its diameter only (--width-mm)");
-  if (options.test == dem2d::LabTest::tension && options.platen_friction_given)
-    throw base::InputError("--platen-friction: there are no platens in a tension test");
+  if (dem2d::pulls(options.test) && options.platen_friction_given)
+    throw base::InputError(
+        fmt::format("--platen-friction: there are no platens in a {} test", dem2d::name_of(options.test)));
   if ((options.test == dem2d::LabTest::triaxial) == options.pressures.empty())
     throw base::InputError(options.pressures.empty()
                                ? "triaxial: --confining-pressures-MPa is missing, e.g. 0,5,10,20,40"
                                : "--confining-pressures-MPa: only a triaxial test has them");
+  if (options.test != dem2d::LabTest::toughness && !options.notches.empty())
+    throw base::InputError("--notch-lengths-mm: only a toughness test has a notch");
 }
 
 studies::LabSeries make_series(const Options& options) {
@@ -56,11 +59,14 @@ studies::LabSeries make_series(const Options& options) {
                             .rate_check = options.rate_check};
   series.settings.width = options.width_mm > 0.0 ? options.width_mm * 1e-3 : series.rock.specimen_width;
   series.settings.height = options.height_mm > 0.0 ? options.height_mm * 1e-3 : series.rock.specimen_height;
-  if (!options.pressures.empty()) {
-    const base::Range& allowed = dem2d::confining_pressure_MPa;
-    series.pressures = base::values_in("--confining-pressures-MPa", options.pressures, allowed.low, allowed.high);
-    for (double& pressure : series.pressures) pressure *= base::MPa;
-  }
+  const auto take_list = [](const char* flag, const std::string& text, const base::Range& allowed, double unit,
+                            std::vector<double>& values) {
+    if (text.empty()) return;
+    values = base::values_in(flag, text, allowed.low, allowed.high);
+    for (double& value : values) value *= unit;
+  };
+  take_list("--confining-pressures-MPa", options.pressures, dem2d::confining_pressure_MPa, base::MPa, series.pressures);
+  take_list("--notch-lengths-mm", options.notches, dem2d::specimen_length_mm, base::mm, series.notches);
   if (options.specimen_file.empty()) {
     for (const int seed : base::seeds_in("--seeds", options.seeds))
       series.seeds.push_back(static_cast<std::uint64_t>(seed));
@@ -81,7 +87,7 @@ void warn_of_other_curves(const Options& options, const studies::LabSeries& seri
 void write_files(const Options& options, const studies::LabSeries& series, const dem2d::LabRun& run) {
   if (options.folder.empty()) return;
   const auto file_of = [&](const char* ending) {
-    return studies::file_of(options.folder, series.test, {run.seed, run.confining_pressure}, ending);
+    return studies::file_of(options.folder, series.test, {run.seed, run.confining_pressure, run.notch_length}, ending);
   };
   base::write_whole(file_of("csv"), studies::curve_csv(run));
   base::write_whole(file_of("png"), views::draw_broken_core(run, series.rock.name));
@@ -140,9 +146,11 @@ void add_lab(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "lab",
-      "Tests the strength of a synthetic rock: uniaxial and triaxial compression, direct tension, Brazilian.\n"
+      "Tests the strength of a synthetic rock: uniaxial and triaxial compression, direct tension, Brazilian, and the "
+      "toughness of a notched core.\n"
       "It prints a table; -o keeps curves and pictures, and --json all numbers.");
-  command->add_option("test", options->test_name, "The test: ucs, tension, brazilian or triaxial.")->required();
+  command->add_option("test", options->test_name, "The test: ucs, tension, brazilian, triaxial or toughness.")
+      ->required();
   command->add_option("rock", options->rock_file, "The rock file, e.g. campaigns/rocks/article.toml.")->required();
   CLI::Option* seeds =
       command
@@ -164,6 +172,12 @@ void add_lab(CLI::App& app) {
           "angle and cohesion.")
       ->check(not_empty());
   command
+      ->add_option("--notch-lengths-mm", options->notches,
+                   fmt::format("A toughness test is made with a cut of each of these lengths through the middle of the "
+                               "core, e.g. 10,20,30. Without the flag the cut is {:g} of the width.",
+                               dem2d::usual_notch_over_width))
+      ->check(not_empty());
+  command
       ->add_option("--strain-rate-per-s", options->settings.strain_rate,
                    "The test loads the core at this rate. Without the flag the program chooses a slow enough one.")
       ->check(within("--strain-rate-per-s", base::between(1e-6, 1e4)));
@@ -174,8 +188,9 @@ void add_lab(CLI::App& app) {
       ->capture_default_str();
   CLI::Option* platen_friction =
       command
-          ->add_option("--platen-friction", options->settings.platen_friction,
-                       "This is the friction coefficient between the platens and the core (not in tension).")
+          ->add_option(
+              "--platen-friction", options->settings.platen_friction,
+              "This is the friction coefficient between the platens and the core (not where the core is pulled).")
           ->check(within("--platen-friction", base::between(0.0, 10.0)))
           ->capture_default_str();
   command
@@ -188,8 +203,9 @@ void add_lab(CLI::App& app) {
                     "changes and whether the rate is slow enough.");
   command
       ->add_option("-o,--output", options->folder,
-                   "This folder gets TEST_seed_N.csv (curve; triaxial_PMPa_seed_N.csv under a pressure P) and .png "
-                   "(broken core) of each seed, TEST_curves.png (all), and "
+                   "This folder gets TEST_seed_N.csv (curve; triaxial_PMPa_seed_N.csv under a pressure P, "
+                   "toughness_Lmm_seed_N.csv with a cut of length L) and .png (broken core) of each seed, "
+                   "TEST_curves.png (all), and "
                    "TEST_rock.toml (the rock that was tested).")
       ->check(not_empty());
   add_common(*command, options->common);

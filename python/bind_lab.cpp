@@ -94,26 +94,37 @@ py::object rate_check(const LabResults& results) {
   return dict;
 }
 
+void take_list(const char* name, const std::optional<std::vector<double>>& given, const base::Range& allowed,
+               double unit, std::vector<double>& values) {
+  if (!given) return;
+  if (given->empty()) throw base::InputError(fmt::format("{}: none (must be at least one)", name));
+  values.clear();
+  for (const double value : *given) {
+    require_within(name, value, allowed);
+    values.push_back(value * unit);
+  }
+}
+
 LabResults lab(const std::string& test, const py::object& rock, const py::object& seeds, const py::object& specimen,
                std::optional<double> width_mm, std::optional<double> height_mm, double strain_rate_per_s,
                double local_damping, std::optional<double> platen_friction,
-               const std::optional<std::vector<double>>& confining_pressures_MPa, bool check_rate,
-               std::optional<int> jobs, const py::object& progress) {
+               const std::optional<std::vector<double>>& confining_pressures_MPa,
+               const std::optional<std::vector<double>>& notch_lengths_mm, bool check_rate, std::optional<int> jobs,
+               const py::object& progress) {
   LabSeries series{.test = dem2d::lab_test_named(test),
                    .rock = read_input(rock, "rock", dem2d::read_rock, dem2d::parse_rock),
                    .rate_check = check_rate};
   if (series.test == LabTest::brazilian && height_mm)
     throw base::InputError("height_mm: a Brazilian disc has its diameter only (width_mm)");
-  if (series.test == LabTest::tension && platen_friction)
-    throw base::InputError("platen_friction: there are no platens in a tension test");
+  if (dem2d::pulls(series.test) && platen_friction)
+    throw base::InputError(fmt::format("platen_friction: there are no platens in a {} test", test));
   if ((series.test == LabTest::triaxial) != confining_pressures_MPa.has_value())
     throw base::InputError("confining_pressures_MPa: a list for a triaxial test, None for the others");
-  if (confining_pressures_MPa) series.pressures.clear();
-  for (const double pressure : confining_pressures_MPa.value_or(std::vector<double>{})) {
-    require_within("confining_pressures_MPa", pressure, dem2d::confining_pressure_MPa);
-    series.pressures.push_back(pressure * base::MPa);
-  }
-  if (series.pressures.empty()) throw base::InputError("confining_pressures_MPa: none (must be at least one)");
+  if (series.test != LabTest::toughness && notch_lengths_mm)
+    throw base::InputError("notch_lengths_mm: a list for a toughness test, None for the others");
+  take_list("confining_pressures_MPa", confining_pressures_MPa, dem2d::confining_pressure_MPa, base::MPa,
+            series.pressures);
+  take_list("notch_lengths_mm", notch_lengths_mm, dem2d::specimen_length_mm, base::mm, series.notches);
   if (width_mm) require_within("width_mm", *width_mm, dem2d::specimen_length_mm);
   if (height_mm) require_within("height_mm", *height_mm, dem2d::specimen_length_mm);
   if (jobs) require_within("jobs", *jobs, base::between(1, 256));
@@ -143,13 +154,16 @@ LabResults lab(const std::string& test, const py::object& rock, const py::object
 }
 
 void bind_run(py::module_& module) {
-  py::class_<LabRun>(module, "LabRun",
-                     "One test of one core. Stress and strains are positive in compression (tension: in extension).\n"
-                     "What the test does not give is NaN.")
+  py::class_<LabRun>(
+      module, "LabRun",
+      "One test of one core. Stress and strains are positive in compression (tension, toughness: in extension).\n"
+      "What the test does not give is NaN.")
       .def_property_readonly(
           "test", [](const LabRun& self) { return dem2d::name_of(self.test); }, "its name")
       .def_readonly("seed", &LabRun::seed, "of the core")
       .def_readonly("confining_pressure_Pa", &LabRun::confining_pressure, "triaxial; stresses are above it [Pa]")
+      .def_readonly("notch_length_m", &LabRun::notch_length, "toughness; of the saw cut [m]")
+      .def_readonly("fracture_toughness_Pa_sqrt_m", &LabRun::fracture_toughness, "toughness; K_Ic [Pa sqrt(m)]")
       .def_readonly("discs", &LabRun::discs, "of the core")
       .def_readonly("joints", &LabRun::joints, "of the core")
       .def_readonly("peak_stress_Pa", &LabRun::peak_stress, "the strength [Pa]")
@@ -165,7 +179,7 @@ void bind_run(py::module_& module) {
       .def_readonly("cracks_shear", &LabRun::cracks_shear, "elements broken in shear")
       .def_readonly("cracks_at_peak", &LabRun::cracks_at_peak, "elements broken at the peak")
       .def_readonly("fracture_height_fraction", &LabRun::fracture_height,
-                    "tension: median height of the cracks over that of the core [1]")
+                    "tension, toughness: median height of the cracks over that of the core [1]")
       .def_readonly("imbalance_fraction", &LabRun::imbalance, "of the forces at the two ends [1]")
       .def_readonly("strain_rate_per_s", &LabRun::strain_rate, "[1/s]")
       .def_readonly("step_s", &LabRun::step, "[s]")
@@ -194,7 +208,8 @@ void bind_lab(py::module_& module) {
           "failures", [](const LabResults& self) { return self.failures; }, "list of (seed, reason)")
       .def_property_readonly(
           "mean", [](const LabResults& self) { return summary(self, &base::Summary::mean, 1); },
-          "means over the runs, by the names of LabRun; of triaxial tests over all pressures")
+          "means over the runs, by the names of LabRun; of triaxial tests over all pressures,\n"
+          "of toughness tests over all notches")
       .def_property_readonly(
           "sd", [](const LabResults& self) { return summary(self, &base::Summary::standard_deviation, 2); },
           "standard deviations over the runs; NaN of a single one")
@@ -212,10 +227,12 @@ void bind_lab(py::module_& module) {
       py::arg("specimen") = py::none(), py::arg("width_mm") = py::none(), py::arg("height_mm") = py::none(),
       py::arg("strain_rate_per_s") = usual.strain_rate, py::arg("local_damping") = usual.local_damping,
       py::arg("platen_friction") = py::none(), py::arg("confining_pressures_MPa") = py::none(),
-      py::arg("rate_check") = false, py::arg("jobs") = py::none(), py::arg("progress") = py::none(),
+      py::arg("notch_lengths_mm") = py::none(), py::arg("rate_check") = false, py::arg("jobs") = py::none(),
+      py::arg("progress") = py::none(),
       "Strength tests on synthetic cores, one a seed (LabResults).\n\n"
-      "test: 'ucs' (uniaxial compression), 'tension', 'brazilian' or 'triaxial' (compression under each of\n"
-      "confining_pressures_MPa, a list). rock: a rock file (str or path), or a dict\n"
+      "test: 'ucs' (uniaxial compression), 'tension', 'brazilian', 'triaxial' (compression under each of\n"
+      "confining_pressures_MPa, a list) or 'toughness' (tension with a cut of each of notch_lengths_mm, a list;\n"
+      "None for 0.4 of the width). rock: a rock file (str or path), or a dict\n"
       "with its tables. seeds: a number, a list, or text as '1,2,5:10'; None for 1.\n"
       "specimen: a Specimen whose discs are tested, with the joints of the rock. width_mm, height_mm: in place of\n"
       "[specimen] of the rock. strain_rate_per_s: 0 for that chosen for the rock. rate_check: also test at half\n"

@@ -13,6 +13,7 @@
 #include "dem2d/lab/curve.hpp"
 #include "dem2d/lab/load_frame.hpp"
 #include "dem2d/lab/loading_rate.hpp"
+#include "dem2d/lab/notch.hpp"
 #include "dem2d/step/step.hpp"
 
 namespace bitrock::dem2d {
@@ -91,7 +92,8 @@ Schedule plan(const LoadFrame& frame, const Rock& rock, const LabSettings& setti
           .stop_fraction = settings.stop_fraction > 0.0       ? settings.stop_fraction
                            : frame.test == LabTest::brazilian ? stop_fraction_brazilian
                                                               : stop_fraction_core,
-          .least_cracks = static_cast<std::size_t>(std::max(1.0, bonded * settings.width / (2.0 * rock.radius_max))),
+          .least_cracks = static_cast<std::size_t>(
+              std::max(1.0, bonded * (settings.width - settings.notch_length) / (2.0 * rock.radius_max))),
           .may_part_unbroken = bonded < 1.0};
 }
 
@@ -108,8 +110,10 @@ void fill_results(LabRun& run) {
                     std::isfinite(result.poissons_ratio) && result.strain_at_peak > 0.0;
   if (!good)
     refuse(fmt::format("the strain at half the peak of {:.3g} MPa is not positive", result.peak_stress * 1e-6));
-  const bool elastic = run.test != LabTest::brazilian;
+  const bool elastic = strains_evenly(run.test);
   run.peak_stress = result.peak_stress;
+  run.fracture_toughness =
+      run.test == LabTest::toughness ? stress_intensity(result.peak_stress, run.notch_length, run.width) : not_measured;
   run.strain_at_peak = result.strain_at_peak;
   run.youngs_modulus = elastic ? result.youngs_modulus : not_measured;
   run.poissons_ratio = elastic ? result.poissons_ratio : not_measured;
@@ -180,7 +184,7 @@ void load_to_failure(LoadFrame& frame, const Schedule& schedule, LabRun& run, co
           fmt::format("{} test of seed {}: the middle of the core is gone, no strain can be measured",
                       name_of(run.test), run.seed));
     const double ends = end_strain(frame);
-    run.curve.push_back({.strain = frame.test == LabTest::brazilian ? ends : strain.along,
+    run.curve.push_back({.strain = strains_evenly(frame.test) ? strain.along : ends,
                          .lateral_strain = strain.across,
                          .stress = interval.stress,
                          .cracks_tensile = run.cracks_tensile,
@@ -212,6 +216,8 @@ const char* name_of(LabTest test) {
       return "brazilian";
     case LabTest::triaxial:
       return "triaxial";
+    case LabTest::toughness:
+      return "toughness";
   }
   return "";
 }
@@ -220,7 +226,7 @@ LabTest lab_test_named(const std::string& name) {
   for (const LabTest test : lab_tests) {
     if (name == name_of(test)) return test;
   }
-  throw base::InputError(fmt::format("test '{}' (must be ucs, tension, brazilian or triaxial)", name));
+  throw base::InputError(fmt::format("test '{}' (must be ucs, tension, brazilian, triaxial or toughness)", name));
 }
 
 LabBox specimen_box(LabTest test, const LabSettings& settings) {
@@ -232,7 +238,7 @@ void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& setti
   check_specimen_size(rock, box.width, box.height, source);
   if (rock.fine_depth > 0.0)
     throw base::InputError(source + ": grading.fine_depth_mm is not 0 (a core for tests is of one size of grains)");
-  const auto require = [&source](bool good, const char* name, double seen, const char* allowed) {
+  const auto require = [&source](bool good, const char* name, double seen, const std::string& allowed) {
     if (!good) throw base::InputError(fmt::format("{}: {} = {:g} (must be {})", source, name, seen, allowed));
   };
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
@@ -246,7 +252,17 @@ void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& setti
   if (test != LabTest::triaxial)
     require(settings.confining_pressure == 0.0, "confining pressure [Pa]", settings.confining_pressure,
             "0 but in a triaxial test");
-  if (test == LabTest::tension) {
+  if (test == LabTest::toughness) {
+    require(
+        notch_over_width.contains(settings.notch_length / settings.width), "length of the notch [mm]",
+        settings.notch_length / base::mm,
+        fmt::format("{:g} to {:g}: {:g} to {:g} of the width", notch_over_width.low * settings.width / base::mm,
+                    notch_over_width.high * settings.width / base::mm, notch_over_width.low, notch_over_width.high));
+  } else {
+    require(settings.notch_length == 0.0, "length of the notch [mm]", settings.notch_length / base::mm,
+            "0 but in a toughness test");
+  }
+  if (pulls(test)) {
     const double grip = grip_height(rock.radius_max, settings);
     require(settings.grip_height >= 0.0 && 2.0 * grip <= 0.5 * settings.height, "grip height [mm]", 1e3 * grip,
             "at most a quarter of the core's height: shorter grips or a longer core");
@@ -289,13 +305,14 @@ LabRun run_lab_test(LabTest test, const Specimen& specimen, const LabSettings& s
   const Schedule schedule = plan(frame, specimen.rock, settings);
   LabRun run{.test = test, .seed = specimen.seed, .width = specimen.width, .height = specimen.height};
   run.confining_pressure = settings.confining_pressure;
+  run.notch_length = settings.notch_length;
   run.discs = frame.world.discs.count();
   run.joints = frame.world.joints.count();
   run.strain_rate = 2.0 * frame.end_speed / frame.length;
   run.step = frame.world.step;
   load_to_failure(frame, schedule, run, progress);
   fill_results(run);
-  run.fracture_height = test == LabTest::tension ? fracture_height(frame.world.cracks, specimen.height) : not_measured;
+  run.fracture_height = pulls(test) ? fracture_height(frame.world.cracks, specimen.height) : not_measured;
   run.last = state_of(frame);
   run.cracks = std::move(frame.world.cracks);
   run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

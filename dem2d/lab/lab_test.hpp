@@ -1,16 +1,17 @@
 #pragma once
 /// Strength tests on synthetic rock, as a rock mechanics laboratory does them: uniaxial compression between platens,
-/// the same in a cell under pressure (triaxial), direct tension by gripped ends, and the Brazilian test of a disc
-/// squeezed across its diameter.
+/// the same in a cell under pressure (triaxial), direct tension by gripped ends, the same with a saw cut through the
+/// middle of the core (toughness), and the Brazilian test of a disc squeezed across its diameter.
 ///
 /// **Equation.** With the mean F of the forces at the two ends, per metre of thickness,
 ///
 ///     ucs, tension:  stress = F / width            brazilian:  stress = 2 F / (pi D)
 ///     triaxial:      stress = F / width, above the confining pressure p: strength along the load = p + largest stress
+///     toughness:     stress = F / width, also over the cut; K_Ic of its largest value by notch.hpp
 ///
 /// strain and lateral strain are the slopes of the plane fitted to the displacements of all discs of the middle half of
 /// the core (strain.hpp), so that neither platens nor grips enter; in the Brazilian test strain is the shortening of
-/// the loaded diameter over D. Then
+/// the loaded diameter over D, in that of toughness the stretching between the grips over their distance. Then
 ///
 ///     strength       = largest stress
 ///     E              = stress / strain and nu = -lateral strain / strain, secants from 0 to half the strength
@@ -23,7 +24,7 @@
 /// through a jacket. In two dimensions there is no intermediate stress.
 ///
 /// **Signs.** Stress and strains are positive in compression in `ucs`, `triaxial` and `brazilian`, in extension in
-/// `tension`.
+/// `tension` and `toughness`.
 ///
 /// **Symbols.** F [N/m]; width, D [m]; stress, E [Pa]; strain, nu [1].
 ///
@@ -59,11 +60,23 @@
 
 namespace bitrock::dem2d {
 
-/// Uniaxial compression, direct tension, Brazilian disc, compression under a confining pressure.
-enum class LabTest { ucs, tension, brazilian, triaxial };
+/// Uniaxial compression, direct tension, Brazilian disc, compression under a confining pressure, tension of a core with
+/// a saw cut.
+enum class LabTest { ucs, tension, brazilian, triaxial, toughness };
 
 /// All of them.
-inline constexpr std::array lab_tests{LabTest::ucs, LabTest::tension, LabTest::brazilian, LabTest::triaxial};
+inline constexpr std::array lab_tests{LabTest::ucs, LabTest::tension, LabTest::brazilian, LabTest::triaxial,
+                                      LabTest::toughness};
+
+/// Whether grips hold the ends of the core and pull; else platens push.
+constexpr bool pulls(LabTest test) {
+  return test == LabTest::tension || test == LabTest::toughness;
+}
+
+/// Whether the test gives E and nu: a Brazilian disc and a core with a cut do not strain alike everywhere.
+constexpr bool strains_evenly(LabTest test) {
+  return test != LabTest::brazilian && test != LabTest::toughness;
+}
 
 struct LabSettings {
   double width = 50e-3;             ///< of the core; brazilian: diameter of the disc [m]
@@ -72,6 +85,7 @@ struct LabSettings {
   double local_damping = 0.1;       ///< alpha; the same as of a cut (loading_rate.hpp) [1]
   double platen_friction = 0.0;     ///< [1]
   double confining_pressure = 0.0;  ///< p of a triaxial test [Pa]
+  double notch_length = 0.0;        ///< 2 a, of the cut of a toughness test [m]
   double grip_height = 2e-3;        ///< of each end held in tension; at least 1.5 largest diameters are held [m]
   double stop_fraction =
       0.0;  ///< the test ends when the stress has fallen to this share of the peak [1]; 0: 0.8, brazilian 0.95
@@ -100,17 +114,20 @@ struct LabRun {
   std::uint64_t seed = 0;                ///< of the specimen
   double width = 0.0, height = 0.0;      ///< of the specimen's box [m]
   double confining_pressure = 0.0;       ///< p [Pa]; 0 but in a triaxial test
+  double notch_length = 0.0;             ///< 2 a [m]; 0 but in a toughness test
   int discs = 0, joints = 0;             ///< at the start
   double peak_stress = 0.0;              ///< the strength, above p [Pa]
   double strain_at_peak = 0.0;           ///< [1]
-  double youngs_modulus = 0.0;           ///< [Pa]; brazilian: NaN, the test does not give it
-  double poissons_ratio = 0.0;           ///< [1]; brazilian: NaN
-  double uncracked_modulus = 0.0;        ///< [Pa]; before the first crack; NaN: there is no such part, or brazilian
+  double fracture_toughness = 0.0;       ///< K_Ic [Pa sqrt(m)]; NaN but in a toughness test
+  double youngs_modulus = 0.0;           ///< [Pa]; brazilian, toughness: NaN, the test does not give it
+  double poissons_ratio = 0.0;           ///< [1]; brazilian, toughness: NaN
+  double uncracked_modulus = 0.0;        ///< [Pa]; before the first crack; NaN: there is no such part, or as above
   double uncracked_ratio = 0.0;          ///< [1]; as above
   int cracks_at_half = 0;                ///< at half the strength
   double crack_initiation_stress = 0.0;  ///< [Pa]
   int cracks_tensile = 0, cracks_shear = 0, cracks_at_peak = 0;  ///< elements broken, by mode, and those of the peak
-  double fracture_height = 0.0;  ///< tension: median height of the cracks over the core's height [1]; others: NaN
+  double fracture_height =
+      0.0;  ///< of cores that are pulled: median height of the cracks over the core's height [1]; others: NaN
   double imbalance = 0.0;        ///< mean difference of the two end forces up to the peak, over the peak force [1]
   double strain_rate = 0.0;      ///< [1/s]
   double step = 0.0;             ///< [s]
@@ -121,13 +138,19 @@ struct LabRun {
   LabState last;                 ///< for the picture
 };
 
-/// The name used on the command line and in files: ucs, tension, brazilian, triaxial.
+/// The name used on the command line and in files: ucs, tension, brazilian, triaxial, toughness.
 const char* name_of(LabTest test);
 /// The test of this name; throws `InputError` for any other.
 LabTest lab_test_named(const std::string& name);
 
 /// Allowed pressures: ten times the mud pressure of the deepest wells.
 inline constexpr base::Range confining_pressure_MPa{.low = 0.0, .high = 1000.0};
+
+/// Allowed lengths of the cut over the width of the core: within them the formula of notch.hpp holds, and there is rock
+/// on both sides to break.
+inline constexpr base::Range notch_over_width{.low = 0.02, .high = 0.9};
+/// Where the user does not say [1].
+inline constexpr double usual_notch_over_width = 0.4;
 
 /// Throws `InputError` beginning with `source` when the settings make no test of this rock.
 void check_lab_settings(LabTest test, const Rock& rock, const LabSettings& settings, const std::string& source);

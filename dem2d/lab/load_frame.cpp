@@ -7,6 +7,7 @@
 
 #include "base/errors.hpp"
 #include "dem2d/lab/loading_rate.hpp"
+#include "dem2d/lab/notch.hpp"
 #include "dem2d/lab/strain.hpp"
 #include "dem2d/specimen/bonded_world.hpp"
 #include "dem2d/specimen/pieces.hpp"
@@ -125,7 +126,7 @@ void start_straining(LoadFrame& frame) {
 void place_ends(LoadFrame& frame, const Specimen& specimen, const LabSettings& settings) {
   frame.low = 0.0;
   frame.high = specimen.height;
-  if (frame.test == LabTest::tension) {
+  if (pulls(frame.test)) {
     const double grip = grip_height(*std::max_element(specimen.radius.begin(), specimen.radius.end()), settings);
     frame.low = grip;
     frame.high = specimen.height - grip;
@@ -139,6 +140,18 @@ void place_ends(LoadFrame& frame, const Specimen& specimen, const LabSettings& s
     }
   }
   frame.length = frame.high - frame.low;
+}
+
+/// Joints across the cut are as if they had never been bonded.
+void saw(World& world, const Notch& notch) {
+  FlatJoints& joints = world.joints;
+  const auto elements = static_cast<std::size_t>(joints.elements);
+  for (std::size_t k = 0; k < joints.bonded.size(); ++k) {
+    const auto i = static_cast<std::size_t>(joints.disc1[k]), j = static_cast<std::size_t>(joints.disc2[k]);
+    if (!parts(notch, world.discs.x[i], world.discs.y[i], world.discs.x[j], world.discs.y[j])) continue;
+    joints.bonded[k] = 0;
+    std::fill_n(joints.state.begin() + static_cast<std::ptrdiff_t>(k * elements), elements, ElementState::never_bonded);
+  }
 }
 
 /// Brings the core to rest in the fluid of the cell; the ends, the section and the start of all strains are then those
@@ -173,11 +186,12 @@ LoadFrame make_load_frame(LabTest test, const Specimen& box, const LabSettings& 
   place_ends(frame, specimen, settings);
   const double rate =
       settings.strain_rate > 0.0 ? settings.strain_rate : default_strain_rate(test, specimen.rock, settings);
-  frame.direction = test == LabTest::tension ? 1.0 : -1.0;
+  frame.direction = pulls(test) ? 1.0 : -1.0;
   frame.section = test == LabTest::brazilian ? 0.5 * std::numbers::pi * frame.length : specimen.width;
 
   World& world = frame.world;
   world = bonded_world(specimen, 1);
+  if (test == LabTest::toughness) saw(world, middle_notch(specimen, settings.notch_length));
   world.materials.local_damping = settings.local_damping;
   const double margin = domain_lengths * std::max(specimen.width, specimen.height);
   world.domain = {-margin, -margin, specimen.width + margin, specimen.height + margin};
@@ -193,14 +207,15 @@ LoadFrame make_load_frame(LabTest test, const Specimen& box, const LabSettings& 
     frame.measured[i] = std::fabs(frame.start_y[i] - middle_y) <= 0.25 * specimen.height ? 1 : 0;
   }
   if (test != LabTest::brazilian) start_straining(frame);
-  if (test == LabTest::tension) {
+  if (pulls(test)) {
     hold_ends(frame);
   } else {
     add_platens(frame, specimen.rock, settings.platen_friction);
   }
   find_places(frame);
-  if (test == LabTest::tension && (frame.held_low.empty() || frame.held_high.empty()))
-    throw base::InputError("tension test: no disc lies in a grip (the discs must fill the box of the specimen)");
+  if (pulls(test) && (frame.held_low.empty() || frame.held_high.empty()))
+    throw base::InputError(std::string(name_of(test)) +
+                           " test: no disc lies in a grip (the discs must fill the box of the specimen)");
   prepare(world);
   world.step = critical_step(world);
   return frame;
@@ -216,7 +231,7 @@ void advance(LoadFrame& frame) {
 
 EndForces end_forces(const LoadFrame& frame) {
   const World& world = frame.world;
-  if (frame.test != LabTest::tension) return {-world.boundaries[0].force_y, world.boundaries[1].force_y};
+  if (!pulls(frame.test)) return {-world.boundaries[0].force_y, world.boundaries[1].force_y};
   const auto sum = [&world](const std::vector<int>& places) {
     double force = 0.0;
     for (const int place : places) force += world.discs.force_y[static_cast<std::size_t>(place)];

@@ -1,11 +1,12 @@
 #pragma once
 /// The load frame of the laboratory: a core between two platens (ucs, triaxial, brazilian) or held by its two ends
-/// (tension), and what is measured on it. The ends move towards or away from each other at equal and opposite constant
-/// speed.
+/// (tension, toughness), and what is measured on it. The ends move towards or away from each other at equal and
+/// opposite constant speed.
 ///
 /// Platens are flat, rigid boundaries. Discs that overlap a platen at the start do so without force, so the core starts
 /// stress-free. Grips hold the discs whose centres lie in the end layers: those have a given velocity and no spin,
 /// which they get by being 1e12 times heavier than they are and by being set anew each step.
+/// The saw cut of a toughness test is made of joints that were never bonded.
 /// The Brazilian disc is cut out of its box: all discs that lie wholly in the inscribed circle.
 
 #include "dem2d/lab/lab_test.hpp"
@@ -31,7 +32,7 @@ struct LoadFrame {
   std::vector<int> held_low, held_high, gauge;  ///< present places of held and of measured discs
 };
 
-/// Of the layer that is held at each end in tension [m].
+/// Of the layer that is held at each end of a core that is pulled [m].
 double grip_height(double largest_radius, const LabSettings& settings);
 
 /// Discs at rest (brazilian) or straining uniformly (others), prepared, with critical step.

@@ -8,7 +8,8 @@ namespace bitrock::dem2d {
 namespace {
 
 // Transits of the wave until the expected strength: measured, see the header.
-constexpr double transits_compression = 100.0, transits_tension = 15.0, transits_brazilian = 100.0;
+constexpr double transits_compression = 100.0, transits_tension = 15.0, transits_brazilian = 100.0,
+                 transits_toughness = 30.0;
 
 // A core in tension breaks where its weakest row of joints is overloaded, at about this share of a joint's strength.
 constexpr double tension_per_joint_strength = 0.65;
@@ -16,6 +17,9 @@ constexpr double tension_per_joint_strength = 0.65;
 // A core in compression splits along the load, at about ten times its strength in tension however large the cohesion,
 // unless joints break in shear before: then it carries this share of the Mohr-Coulomb strength of a joint.
 constexpr double compression_per_shear_strength = 0.8, most_compression_per_tension = 10.0;
+
+// A core with a cut carries this share of one without: the width that is left, and less for the stress at the tips.
+constexpr double notched_per_whole = 0.4;
 
 // What a core carries more, above a confining pressure, for this pressure: that of a friction angle of 30 degrees.
 constexpr double strength_per_pressure = 2.0;
@@ -32,6 +36,7 @@ constexpr double most_expected_strain = 0.2;
 double expected_strength(LabTest test, const Rock& rock, double confining_pressure) {
   const double tension = tension_per_joint_strength * rock.tensile_strength;
   if (test == LabTest::tension || test == LabTest::brazilian) return tension;
+  if (test == LabTest::toughness) return notched_per_whole * tension;
   const double sine = std::sin(rock.friction_angle);
   const double shear = 2.0 * rock.cohesion * std::cos(rock.friction_angle) / (1.0 - sine);  // Mohr-Coulomb
   return std::min(compression_per_shear_strength * shear, most_compression_per_tension * tension) +
@@ -41,6 +46,7 @@ double expected_strength(LabTest test, const Rock& rock, double confining_pressu
 double default_strain_rate(LabTest test, const Rock& rock, const LabSettings& settings) {
   const double transits = test == LabTest::tension     ? transits_tension
                           : test == LabTest::brazilian ? transits_brazilian
+                          : test == LabTest::toughness ? transits_toughness
                                                        : transits_compression;
   const double length = specimen_box(test, settings).height;
   const double wave_speed = std::sqrt(rock.joint_modulus / rock.density);

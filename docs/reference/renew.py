@@ -47,6 +47,7 @@ RUNS = [
     ("lab --check", "lab ucs quick_start.toml --check"),
     ("lab", "lab ucs quick_start.toml --seeds 1,2 --rate-check -o lab"),
     ("lab triaxial", "lab triaxial quick_start.toml --seeds 1,2 --confining-pressures-MPa 0,5"),
+    ("lab toughness", "lab toughness quick_start.toml --seeds 1,2 --notch-lengths-mm 4,8"),
     ("calibrate", "calibrate target.toml -o calibrated.toml --validate-seeds 101"),
     ("calibrate --check", "calibrate target.toml --check -o another.toml"),
     ("cut", "cut cut.toml --frames 2 -o run.h5"),

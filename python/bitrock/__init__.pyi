@@ -187,6 +187,10 @@ class LabRun:
     @property
     def confining_pressure_Pa(self) -> float: ...
     @property
+    def notch_length_m(self) -> float: ...
+    @property
+    def fracture_toughness_Pa_sqrt_m(self) -> float: ...
+    @property
     def discs(self) -> int: ...
     @property
     def joints(self) -> int: ...
@@ -255,6 +259,7 @@ def lab(
     local_damping: float = 0.1,
     platen_friction: Optional[float] = None,
     confining_pressures_MPa: Optional[Sequence[float]] = None,
+    notch_lengths_mm: Optional[Sequence[float]] = None,
     rate_check: bool = False,
     jobs: Optional[int] = None,
     progress: _Progress = None,

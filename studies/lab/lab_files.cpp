@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "base/numbered_files.hpp"
 #include "base/units.hpp"
@@ -11,17 +12,20 @@ namespace bitrock::studies {
 
 namespace {
 
-/// Of the names of all cores under this pressure [Pa].
-std::string begin_of(dem2d::LabTest test, double pressure) {
-  if (test != dem2d::LabTest::triaxial) return fmt::format("{}_seed_", dem2d::name_of(test));
-  return fmt::format("{}_{}MPa_seed_", dem2d::name_of(test), base::in_units(pressure, base::MPa));
+/// Of the names of all cores under the pressure, or with the cut, of this one.
+std::string begin_of(dem2d::LabTest test, const LabCore& core) {
+  if (test == dem2d::LabTest::triaxial)
+    return fmt::format("triaxial_{}MPa_seed_", base::in_units(core.pressure, base::MPa));
+  if (test == dem2d::LabTest::toughness)
+    return fmt::format("toughness_{}mm_seed_", base::in_units(core.notch, base::mm));
+  return fmt::format("{}_seed_", dem2d::name_of(test));
 }
 
 }  // namespace
 
 std::filesystem::path file_of(const std::filesystem::path& folder, dem2d::LabTest test, const LabCore& core,
                               const char* ending) {
-  return folder / fmt::format("{}{}.{}", begin_of(test, core.pressure), core.seed, ending);
+  return folder / fmt::format("{}{}.{}", begin_of(test, core), core.seed, ending);
 }
 
 std::filesystem::path file_of_all(const std::filesystem::path& folder, dem2d::LabTest test) {
@@ -42,16 +46,16 @@ std::vector<std::filesystem::path> files_of(const LabSeries& series, const std::
 }
 
 std::vector<std::string> other_curves(const LabSeries& series, const std::filesystem::path& folder) {
-  std::vector<std::string> others;
-  for (const double pressure : series.pressures) {
-    for (const base::NumberedFile& file :
-         base::numbered_files(folder, {.begin = begin_of(series.test, pressure), .end = ".csv"})) {
+  std::set<std::string> begins, others;
+  for (const LabCore& core : cores_of(series)) begins.insert(begin_of(series.test, core));
+  for (const std::string& begin : begins) {
+    for (const base::NumberedFile& file : base::numbered_files(folder, {.begin = begin, .end = ".csv"})) {
       if (std::find(series.seeds.begin(), series.seeds.end(), static_cast<std::uint64_t>(file.number)) ==
           series.seeds.end())
-        others.push_back(file.path.filename().string());
+        others.insert(file.path.filename().string());
     }
   }
-  return others;
+  return {others.begin(), others.end()};
 }
 
 }  // namespace bitrock::studies

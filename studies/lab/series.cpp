@@ -30,6 +30,7 @@ constexpr LabQuantity quantities[] = {
     {"strain_at_peak", [](const dem2d::LabRun& run) { return run.strain_at_peak; }},
     {"cracks_tensile", [](const dem2d::LabRun& run) { return static_cast<double>(run.cracks_tensile); }},
     {"cracks_shear", [](const dem2d::LabRun& run) { return static_cast<double>(run.cracks_shear); }},
+    {"fracture_toughness_Pa_sqrt_m", [](const dem2d::LabRun& run) { return run.fracture_toughness; }},
 };
 
 dem2d::LabSettings at_half_rate(const dem2d::LabSettings& settings) {
@@ -47,6 +48,7 @@ dem2d::Specimen specimen_of(const LabSeries& series, const LabCore& core) {
 dem2d::LabSettings settings_of(const LabSeries& series, const LabCore& core) {
   dem2d::LabSettings settings = series.settings;
   settings.confining_pressure = core.pressure;
+  settings.notch_length = core.notch;
   return settings;
 }
 
@@ -76,19 +78,25 @@ LabResults sorted(const LabSeries& series, const std::vector<LabCore>& cores, st
 
 std::vector<LabCore> cores_of(const LabSeries& series) {
   std::vector<LabCore> cores;
-  cores.reserve(series.pressures.size() * series.seeds.size());
+  cores.reserve(series.pressures.size() * series.notches.size() * series.seeds.size());
   for (const double pressure : series.pressures) {
-    for (const std::uint64_t seed : series.seeds) cores.push_back({seed, pressure});
+    for (const double notch : series.notches) {
+      for (const std::uint64_t seed : series.seeds) cores.push_back({seed, pressure, notch});
+    }
   }
   return cores;
 }
 
 void complete(LabSeries& series, const std::string& rock_file) {
+  if (series.test == dem2d::LabTest::toughness && series.notches == std::vector<double>{0.0})
+    series.notches = {dem2d::usual_notch_over_width * series.settings.width};
   for (const LabCore& core : cores_of(series))
     dem2d::check_lab_settings(series.test, series.rock, settings_of(series, core), rock_file);
   if (series.settings.strain_rate == 0.0)
     series.settings.strain_rate = dem2d::default_strain_rate(series.test, series.rock, series.settings);
-  if (series.rate_check) dem2d::check_lab_settings(series.test, series.rock, at_half_rate(series.settings), rock_file);
+  if (!series.rate_check) return;
+  for (const LabCore& core : cores_of(series))
+    dem2d::check_lab_settings(series.test, series.rock, at_half_rate(settings_of(series, core)), rock_file);
 }
 
 void take_given(LabSeries& series, dem2d::Specimen given) {
@@ -201,11 +209,11 @@ base::Summary summary_of(const LabQuantity& quantity, std::span<const dem2d::Lab
   return base::summarise(values);
 }
 
-std::vector<std::span<const dem2d::LabRun>> by_pressure(std::span<const dem2d::LabRun> runs) {
+std::vector<std::span<const dem2d::LabRun>> by_condition(std::span<const dem2d::LabRun> runs) {
   std::vector<std::span<const dem2d::LabRun>> parts;
   while (!runs.empty()) {
     const auto other = std::find_if(runs.begin(), runs.end(), [&](const dem2d::LabRun& run) {
-      return run.confining_pressure != runs.front().confining_pressure;
+      return run.confining_pressure != runs.front().confining_pressure || run.notch_length != runs.front().notch_length;
     });
     const auto count = static_cast<std::size_t>(other - runs.begin());
     parts.push_back(runs.first(count));
@@ -250,14 +258,15 @@ std::string command_again(const LabSeries& series) {
   }
   command += fmt::format(" --strain-rate-per-s {} --local-damping {}", series.settings.strain_rate,
                          series.settings.local_damping);
-  if (series.test == dem2d::LabTest::triaxial) {
-    command += " --confining-pressures-MPa ";
-    for (const double pressure : series.pressures)
-      command +=
-          fmt::format("{}{}", pressure == series.pressures.front() ? "" : ",", base::in_units(pressure, base::MPa));
-  }
-  if (series.test != dem2d::LabTest::tension)
-    command += fmt::format(" --platen-friction {}", series.settings.platen_friction);
+  const auto list = [&command](const char* flag, const std::vector<double>& values, double unit) {
+    std::vector<double> written(values.size());
+    std::transform(values.begin(), values.end(), written.begin(),
+                   [unit](double value) { return base::in_units(value, unit); });
+    command += fmt::format(" {} {}", flag, fmt::join(written, ","));
+  };
+  if (series.test == dem2d::LabTest::triaxial) list("--confining-pressures-MPa", series.pressures, base::MPa);
+  if (series.test == dem2d::LabTest::toughness) list("--notch-lengths-mm", series.notches, base::mm);
+  if (!dem2d::pulls(series.test)) command += fmt::format(" --platen-friction {}", series.settings.platen_friction);
   return command;
 }
 

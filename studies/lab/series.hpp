@@ -23,6 +23,7 @@ struct LabSeries {
   dem2d::LabSettings settings;
   std::vector<std::uint64_t> seeds;
   std::vector<double> pressures{0.0};    ///< each seed is tested under each confining pressure [Pa]; triaxial only
+  std::vector<double> notches{0.0};      ///< each seed is tested with a cut of each length [m]; toughness only
   std::optional<dem2d::Specimen> given;  ///< tested in place of cores packed here; `seeds` then holds its seed
   bool rate_check = false;
 };
@@ -30,12 +31,13 @@ struct LabSeries {
 /// A core that is tested.
 struct LabCore {
   std::uint64_t seed;
-  double pressure;  ///< [Pa]
+  double pressure, notch;  ///< [Pa], [m]
 };
-/// All of a series: pressure by pressure, seed by seed.
+/// All of a series: pressure by pressure, cut by cut, seed by seed.
 std::vector<LabCore> cores_of(const LabSeries& series);
 
-/// The rate of loading is the usual one of the rock where the settings leave it 0. Throws `InputError` when the
+/// The rate of loading is the usual one of the rock where the settings leave it 0; a toughness test without lengths of
+/// cuts has one of the usual share of the width. Throws `InputError` when the
 /// settings do not fit the test or the rock.
 void complete(LabSeries& series, const std::string& rock_file);
 
@@ -76,8 +78,8 @@ struct LabQuantity {
 std::span<const LabQuantity> lab_quantities();
 base::Summary summary_of(const LabQuantity& quantity, std::span<const dem2d::LabRun> runs);
 
-/// The tests of `LabResults`, those under one confining pressure together.
-std::vector<std::span<const dem2d::LabRun>> by_pressure(std::span<const dem2d::LabRun> runs);
+/// The tests of `LabResults`, those under one confining pressure and with cuts of one length together.
+std::vector<std::span<const dem2d::LabRun>> by_condition(std::span<const dem2d::LabRun> runs);
 
 /// Halving the rate may change the mean strength by this share [1] before the rate counts as too fast.
 inline constexpr double allowed_rate_change = 0.03;

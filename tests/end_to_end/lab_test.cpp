@@ -71,6 +71,23 @@ TEST_F(Lab, BrazilianHasNoModulusAndOneSpecimenNoScatter) {
   EXPECT_TRUE(json["sd"]["peak_stress_Pa"].is_null());
 }
 
+TEST_F(Lab, ToughnessOfACoreWithASawCut) {
+  const std::string json = (dir / "k.json").string(), folder = (dir / "k").string();
+  ASSERT_EQ(run("lab toughness " + rock + core + " --notch-lengths-mm 8,12 --json " + json + " -o " + folder).status,
+            0);
+  const nlohmann::json result = program::json(json);
+  ASSERT_EQ(result["by_notch"].size(), 2u);
+  EXPECT_EQ(result["by_notch"][1]["notch_length_m"].get<double>(), 12e-3);
+  EXPECT_GT(result["runs"][0]["fracture_toughness_Pa_sqrt_m"].get<double>(), 0.0);
+  EXPECT_TRUE(result["runs"][0]["youngs_modulus_Pa"].is_null());
+  EXPECT_TRUE(std::filesystem::exists(folder + "/toughness_8mm_seed_1.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder + "/toughness_12mm_seed_1.png"));
+  expect("toughness " + rock + core + " --notch-lengths-mm 23", 2,
+         "length of the notch [mm] = 23 (must be 0.48 to 21.6");
+  expect("tension " + rock + core + " --notch-lengths-mm 8", 2, "only a toughness test has a notch");
+  expect("toughness " + rock + core + " --platen-friction 0.1", 2, "no platens in a toughness test");
+}
+
 TEST_F(Lab, TestsAGivenSpecimenWithOtherJoints) {
   const std::string specimen = (dir / "s.h5").string(), json = (dir / "s.json").string();
   ASSERT_EQ(run("specimen " + rock + core + " --seed 2 -o " + specimen).status, 0);

@@ -38,10 +38,10 @@ def test_a_file_that_cannot_be_written():
 
 def test_a_training_that_diverges(program):
     with pytest.raises(bitrock.SimulationError) as error:
-        bitrock.train(FEATURES, epochs=30, starts=1, learning_rate=1.0, output_activation="linear", layers=[3, 30, 30, 1])
+        bitrock.train(FEATURES, epochs=30, starts=1, learning_rate=1.0, output_activation="linear", layers=[3, 8, 8, 1])
     said = program(
         *["train", FEATURES, "--epochs", 30, "--starts", 1, "--learning-rate", 1.0, "--output-activation", "linear"],
-        *["--layers", "3,30,30,1"],
+        *["--layers", "3,8,8,1"],
         status=3,
     )
     assert said == "the computation failed: " + str(error.value)

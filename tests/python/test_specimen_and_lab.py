@@ -55,6 +55,22 @@ def test_triaxial_is_the_programs(program):
 
 
 @pytest.mark.filterwarnings("ignore::bitrock.BitrockWarning")
+def test_toughness_is_the_programs(program):
+    seen = program("lab", "toughness", ROCK, "--seed", 1, "--notch-lengths-mm", "3,5", "--width-mm", 10, "--height-mm", 20)
+    results = bitrock.lab("toughness", ROCK, notch_lengths_mm=[3, 5], **SMALL_CORE)
+    assert [run.notch_length_m for run in results.runs] == [3e-3, 5e-3]
+    assert [run["fracture_toughness_Pa_sqrt_m"] for run in seen["runs"]] == [
+        run.fracture_toughness_Pa_sqrt_m for run in results.runs]
+    assert [row["notch_length_m"] for row in seen["by_notch"]] == [3e-3, 5e-3]
+    usual = bitrock.lab("toughness", ROCK, **SMALL_CORE)  # 0.4 of the width
+    assert usual.runs[0].notch_length_m == pytest.approx(4e-3)
+    with pytest.raises(bitrock.InputError, match="length of the notch"):
+        bitrock.lab("toughness", ROCK, notch_lengths_mm=[9.5], **SMALL_CORE)
+    with pytest.raises(bitrock.InputError, match="notch_lengths_mm"):
+        bitrock.lab("tension", ROCK, notch_lengths_mm=[3], **SMALL_CORE)
+
+
+@pytest.mark.filterwarnings("ignore::bitrock.BitrockWarning")
 def test_seeds_and_curve():
     by_text = bitrock.lab("tension", ROCK, seeds="2:3", jobs=1, **SMALL_CORE)
     by_list = bitrock.lab("tension", ROCK, seeds=np.array([2, 3]), **SMALL_CORE)
@@ -68,7 +84,7 @@ def test_seeds_and_curve():
 @pytest.mark.parametrize(
     "arguments, sentence",
     [
-        (("shear", {}), "test 'shear' (must be ucs, tension, brazilian or triaxial)"),
+        (("shear", {}), "test 'shear' (must be ucs, tension, brazilian, triaxial or toughness)"),
         (("brazilian", {"height_mm": 10}), "height_mm: a Brazilian disc has its diameter only"),
         (("tension", {"platen_friction": 0.1}), "platen_friction: there are no platens"),
         (("ucs", {"width_mm": 0.0}), "width_mm = 0"),

@@ -18,9 +18,11 @@ nlohmann::json number(double value) {
 nlohmann::json as_json(const dem2d::LabRun& run) {
   return {{"seed", run.seed},
           {"confining_pressure_Pa", run.confining_pressure},
+          {"notch_length_m", run.notch_length},
           {"discs", run.discs},
           {"joints", run.joints},
           {"peak_stress_Pa", run.peak_stress},
+          {"fracture_toughness_Pa_sqrt_m", number(run.fracture_toughness)},
           {"youngs_modulus_Pa", number(run.youngs_modulus)},
           {"poissons_ratio", number(run.poissons_ratio)},
           {"youngs_modulus_uncracked_Pa", number(run.uncracked_modulus)},
@@ -96,13 +98,18 @@ nlohmann::json as_json(const studies::LabSeries& series, const studies::LabResul
   for (const dem2d::LabRun& run : results.runs) json["runs"].push_back(as_json(run));
   for (const auto& [seed, reason] : results.failures) json["failures"].push_back({{"seed", seed}, {"reason", reason}});
   if (results.runs.empty()) return json;
-  if (series.pressures.size() == 1) {
+  if (series.pressures.size() * series.notches.size() == 1) {
     json.update(means_of(results.runs));
   } else {
-    for (const std::span<const dem2d::LabRun> runs : studies::by_pressure(results.runs)) {
+    const bool notched = series.test == dem2d::LabTest::toughness;
+    for (const std::span<const dem2d::LabRun> runs : studies::by_condition(results.runs)) {
       nlohmann::json means = means_of(runs);
-      means["confining_pressure_Pa"] = runs.front().confining_pressure;
-      json["by_pressure"].push_back(std::move(means));
+      if (notched) {
+        means["notch_length_m"] = runs.front().notch_length;
+      } else {
+        means["confining_pressure_Pa"] = runs.front().confining_pressure;
+      }
+      json[notched ? "by_notch" : "by_pressure"].push_back(std::move(means));
     }
   }
   if (const studies::EnvelopeOfSeeds envelope = studies::envelope_of(results.runs); !envelope.empty())

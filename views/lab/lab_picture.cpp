@@ -30,20 +30,29 @@ const char* title_of(dem2d::LabTest test) {
       return "Brazilian test";
     case dem2d::LabTest::triaxial:
       return "triaxial compression";
+    case dem2d::LabTest::toughness:
+      return "tension of a notched core";
   }
   return "";
 }
 
-std::string pressure_of(const dem2d::LabRun& run) {
-  return fmt::format("{:.3g} MPa", run.confining_pressure * 1e-6);
+/// Under which pressure, or with which cut; empty of tests that have neither.
+std::string condition_of(const dem2d::LabRun& run) {
+  if (run.test == dem2d::LabTest::triaxial) return fmt::format("{:.3g} MPa", run.confining_pressure * 1e-6);
+  if (run.test == dem2d::LabTest::toughness) return fmt::format("{:.3g} mm", run.notch_length * 1e3);
+  return "";
 }
 
 /// Of a test under pressure the strength is told above it.
 std::string subtitle_of(const dem2d::LabRun& run) {
   const bool confined = run.confining_pressure > 0.0;
+  if (run.test == dem2d::LabTest::toughness) {
+    return fmt::format("seed {}, notch {:.3g} mm, strength {:.3g} MPa, toughness {:.3g} MPa sqrt(m)", run.seed,
+                       run.notch_length * 1e3, run.peak_stress * 1e-6, run.fracture_toughness * 1e-6);
+  }
   return fmt::format("seed {}{}, strength {:.3g} MPa{}, drawn at {:.3g} MPa after the peak", run.seed,
-                     confined ? ", under " + pressure_of(run) : "", run.peak_stress * 1e-6, confined ? " above it" : "",
-                     run.curve.back().stress * 1e-6);
+                     confined ? ", under " + condition_of(run) : "", run.peak_stress * 1e-6,
+                     confined ? " above it" : "", run.curve.back().stress * 1e-6);
 }
 
 /// Platens as solid bars; grips as bars over the discs they hold.
@@ -54,11 +63,20 @@ void draw_ends(const Picture& picture, const dem2d::LabRun& run, double width) {
   draw_polygon(picture, dem2d::rectangle(x_low, run.last.high, x_high, run.last.high + thick), tool_fill);
 }
 
-/// Number of the colour of each curve: one a seed, or one a pressure, in the order in which they come.
-std::vector<std::size_t> colours_of(std::span<const dem2d::LabRun> runs, bool by_pressure) {
+/// The saw cut, where it was before the ends parted.
+void draw_notch(const Picture& picture, const dem2d::LabRun& run) {
+  const double middle = 0.5 * (run.last.low + run.last.high);
+  const auto px = [&](double side) { return picture.px(0.5 * (run.width + side * run.notch_length)); };
+  picture.use(ink);
+  cairo_set_line_width(picture.cairo(), 4.0);
+  picture.line(px(-1.0), picture.py(middle), px(1.0), picture.py(middle));
+}
+
+/// Number of the colour of each curve: one a seed, or one a pressure or cut, in the order in which they come.
+std::vector<std::size_t> colours_of(std::span<const dem2d::LabRun> runs, bool by_condition) {
   std::vector<std::size_t> colours(runs.size());
   for (std::size_t k = 1; k < runs.size(); ++k) {
-    const bool same = by_pressure && runs[k].confining_pressure == runs[k - 1].confining_pressure;
+    const bool same = by_condition && condition_of(runs[k]) == condition_of(runs[k - 1]);
     colours[k] = same ? colours[k - 1] : colours[k - 1] + 1;
   }
   return colours;
@@ -109,16 +127,18 @@ std::string draw_broken_core(const dem2d::LabRun& run, const std::string& rock_n
   picture.clipped([&] {
     draw_discs(picture, discs);
     draw_ends(picture, run, width);
+    if (run.notch_length > 0.0) draw_notch(picture, run);
     draw_cracks(picture, discs, run.cracks);
   });
   picture.font_size(17.0);
   const double tick = tick_of((picture.frame().x_high - picture.frame().x_low) * 1e3);
   draw_axes(picture, {1e3, tick, "x [mm]"}, {1e3, tick, "height [mm]"});
-  const LegendEntry entries[] = {{rock_fill, false, "largest piece"},
-                                 {chip_fills[0], false, "pieces"},
-                                 {dust_fill, false, "loose grains"},
-                                 {tension_line, true, fmt::format("tension ({})", run.cracks_tensile)},
-                                 {shear_line, true, fmt::format("shear ({})", run.cracks_shear)}};
+  std::vector<LegendEntry> entries{{rock_fill, false, "largest piece"},
+                                   {chip_fills[0], false, "pieces"},
+                                   {dust_fill, false, "loose grains"},
+                                   {tension_line, true, fmt::format("tension ({})", run.cracks_tensile)},
+                                   {shear_line, true, fmt::format("shear ({})", run.cracks_shear)}};
+  if (run.notch_length > 0.0) entries.push_back({ink, true, "saw cut"});
   draw_legend(picture, entries);
   picture.font_size(20.0);
   picture.use(ink);
@@ -130,9 +150,10 @@ std::string draw_broken_core(const dem2d::LabRun& run, const std::string& rock_n
 
 std::string draw_curves(std::span<const dem2d::LabRun> runs, const std::string& rock_name, int width_px) {
   const Extent extent = extent_of(runs);
-  const bool by_pressure = runs.front().test == dem2d::LabTest::triaxial;
-  const std::vector<std::size_t> colours = colours_of(runs, by_pressure);
-  const bool lateral = runs.front().test != dem2d::LabTest::brazilian;
+  const dem2d::LabTest test = runs.front().test;
+  const bool confined = test == dem2d::LabTest::triaxial, notched = test == dem2d::LabTest::toughness;
+  const std::vector<std::size_t> colours = colours_of(runs, confined || notched);
+  const bool lateral = dem2d::strains_evenly(test);
   const double span = extent.strain_high - (lateral ? extent.strain_low : 0.0);
   const Picture picture = Picture::of_curves({.x_low = lateral ? extent.strain_low - 0.03 * span : 0.0,
                                               .y_low = 0.0,
@@ -157,26 +178,28 @@ std::string draw_curves(std::span<const dem2d::LabRun> runs, const std::string& 
     picture.line(picture.px(0.0), picture.py(0.0), picture.px(0.0), picture.py(picture.frame().y_high));
   });
   picture.font_size(17.0);
-  const bool pulls = runs.front().test == dem2d::LabTest::tension;
-  const std::string along =
-      lateral ? "lateral strain < 0 < strain along the load [%]" : "shortening of the diameter [%]";
+  const std::string along = lateral   ? "lateral strain < 0 < strain along the load [%]"
+                            : notched ? "stretching of the core between its grips [%]"
+                                      : "shortening of the diameter [%]";
   draw_axes(picture, {1e2, tick_of(1e2 * (picture.frame().x_high - picture.frame().x_low)), along},
             {1e-6, tick_of(1e-6 * picture.frame().y_high),
-             pulls         ? "tension [MPa]"
-             : by_pressure ? "stress above the confining pressure [MPa]"
-                           : "stress [MPa]"});
+             dem2d::pulls(test) ? "tension [MPa]"
+             : confined         ? "stress above the confining pressure [MPa]"
+                                : "stress [MPa]"});
   std::vector<LegendEntry> entries;
   for (std::size_t k = 0; k < runs.size() && entries.size() < most_legend_entries; ++k) {
     if (colours[k] < entries.size()) continue;
     entries.push_back({curve_lines[colours[k] % std::size(curve_lines)], true,
-                       by_pressure ? pressure_of(runs[k]) : fmt::format("{}", runs[k].seed)});
+                       confined || notched ? condition_of(runs[k]) : fmt::format("{}", runs[k].seed)});
   }
   draw_legend(picture, entries);
   picture.font_size(20.0);
   picture.use(ink);
   picture.text(picture.frame().left, 32.0,
-               fmt::format("{}, {}, by {}", rock_name, title_of(runs.front().test),
-                           by_pressure ? "confining pressure" : "seed"));
+               fmt::format("{}, {}, by {}", rock_name, title_of(test),
+                           confined  ? "confining pressure"
+                           : notched ? "length of the notch"
+                                     : "seed"));
   return picture.png();
 }
 

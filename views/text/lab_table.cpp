@@ -46,6 +46,35 @@ std::string table_of(std::span<const dem2d::LabRun> runs) {
              s[4].standard_deviation, "");
 }
 
+constexpr const char* toughness_format = "{:>6} {:>13} {:>18} {:>11}  {}\n";
+
+/// A row a notched core: K_Ic in place of moduli.
+std::string toughness_table(std::span<const dem2d::LabRun> runs) {
+  const auto row_of = [](const std::string& name, double strength, double toughness, double strain,
+                         const std::string& rest) {
+    return fmt::format(toughness_format, name, cell(strength * 1e-6, 2), cell(toughness * 1e-6, 3),
+                       cell(strain * 1e2, 3), rest);
+  };
+  std::string table = fmt::format(toughness_format, "seed", "strength MPa", "K_Ic MPa sqrt(m)", "at strain %",
+                                  "cracks tension + shear");
+  for (const dem2d::LabRun& run : runs) {
+    table += row_of(fmt::format("{}", run.seed), run.peak_stress, run.fracture_toughness, run.strain_at_peak,
+                    fmt::format("{} + {}", run.cracks_tensile, run.cracks_shear));
+  }
+  if (runs.size() == 1) return table;
+  const auto summary = [runs](double dem2d::LabRun::*member) {
+    std::vector<double> values;
+    values.reserve(runs.size());
+    for (const dem2d::LabRun& run : runs) values.push_back(run.*member);
+    return base::summarise(values);
+  };
+  const base::Summary strength = summary(&dem2d::LabRun::peak_stress),
+                      toughness = summary(&dem2d::LabRun::fracture_toughness),
+                      strain = summary(&dem2d::LabRun::strain_at_peak);
+  return table + row_of("mean", strength.mean, toughness.mean, strain.mean, "") +
+         row_of("sd", strength.standard_deviation, toughness.standard_deviation, strain.standard_deviation, "");
+}
+
 }  // namespace
 
 std::string plan_line(const studies::LabSeries& series, const studies::LabCost& cost) {
@@ -60,12 +89,19 @@ std::string plan_line(const studies::LabSeries& series, const studies::LabCost& 
 
 std::string lab_table(const studies::LabResults& results) {
   if (results.runs.empty()) return "";
-  if (results.runs.front().test != dem2d::LabTest::triaxial) return table_of(results.runs);
+  const dem2d::LabTest test = results.runs.front().test;
+  if (test != dem2d::LabTest::triaxial && test != dem2d::LabTest::toughness) return table_of(results.runs);
   std::string tables;
-  for (const std::span<const dem2d::LabRun> runs : studies::by_pressure(results.runs)) {
-    tables += fmt::format("confining pressure {:.4g} MPa; strengths and stresses are above it\n",
-                          runs.front().confining_pressure * 1e-6) +
-              table_of(runs);
+  for (const std::span<const dem2d::LabRun> runs : studies::by_condition(results.runs)) {
+    if (test == dem2d::LabTest::triaxial) {
+      tables += fmt::format("confining pressure {:.4g} MPa; strengths and stresses are above it\n",
+                            runs.front().confining_pressure * 1e-6) +
+                table_of(runs);
+    } else {
+      tables += fmt::format("notch {:.4g} mm long, {:.3g} of the width\n", runs.front().notch_length * 1e3,
+                            runs.front().notch_length / runs.front().width) +
+                toughness_table(runs);
+    }
   }
   return tables;
 }
