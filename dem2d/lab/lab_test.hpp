@@ -59,12 +59,18 @@
 
 namespace bitrock::dem2d {
 
-/// Uniaxial compression, direct tension, Brazilian disc, compression under a confining pressure.
-enum class LabTest { ucs, tension, brazilian, triaxial };
+/// What is done to a core.
+enum class LabTest {
+  ucs,        ///< uniaxial compression between platens
+  tension,    ///< direct tension, held at both ends
+  brazilian,  ///< a disc pressed across its diameter
+  triaxial    ///< compression under a confining pressure
+};
 
 /// All of them.
 inline constexpr std::array lab_tests{LabTest::ucs, LabTest::tension, LabTest::brazilian, LabTest::triaxial};
 
+/// Core and loading of a test.
 struct LabSettings {
   double width = 50e-3;             ///< of the core; brazilian: diameter of the disc [m]
   double height = 100e-3;           ///< of the core; not used by brazilian [m]
