@@ -50,6 +50,8 @@ inline Range zero_or(double low, double high) {
   return {.low = low, .high = high, .or_zero = true};
 }
 
+/// What a key can hold: a number, a whole number, a truth, a text, or a list of numbers. Points to a variable that
+/// outlives its use.
 using FieldTarget = std::variant<double*, int*, bool*, std::string*, std::vector<double>*, std::vector<int>*>;
 
 /// One key of a table and where its value goes.
@@ -81,6 +83,7 @@ class ConfigFile {
   /// Throws `InputError` when the text is no TOML; `name` stands in the messages.
   static ConfigFile from_text(std::string_view text, const std::string& name);
   ~ConfigFile();
+  /// The source may then only be destroyed.
   ConfigFile(ConfigFile&&) noexcept;
 
   /// Fills the fields of one section. A missing section counts as empty. A number whose range lacks a limit is a fault

@@ -16,6 +16,7 @@ struct CsvCell {
   bool quoted = false;    ///< stood in quotes
 };
 
+/// Goes through a text row after row.
 class CsvRows {
  public:
   /// `text` and `source`, the name of the file for messages, must outlive the rows.

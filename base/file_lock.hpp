@@ -23,6 +23,7 @@ class FileLock {
   static bool is_held(const std::filesystem::path& file);
 
   ~FileLock();
+  /// Takes the lock over: `other` holds nothing afterwards.
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&&) = delete;
 

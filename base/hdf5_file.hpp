@@ -19,15 +19,18 @@ namespace bitrock::base {
 /// Owns one HDF5 identifier and the function that closes it.
 class Hdf5Handle {
  public:
-  using Close = herr_t (*)(hid_t);
+  using Close = herr_t (*)(hid_t);  ///< a function of HDF5 such as H5Fclose
   Hdf5Handle() = default;
+  /// Owns `id` from now on; a negative one, HDF5's sign of failure, is never closed.
   Hdf5Handle(hid_t id, Close close) : id_(id), close_(close) {}
   ~Hdf5Handle() { reset(); }
+  /// Takes the identifier over: `other` is no longer valid.
   Hdf5Handle(Hdf5Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = -1; }
+  /// Exchanges the identifiers: what this one held is closed with `other`.
   Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
-  hid_t id() const { return id_; }
-  bool valid() const { return id_ >= 0; }
-  void reset();
+  hid_t id() const { return id_; }         ///< for calls of HDF5; negative: nothing is held
+  bool valid() const { return id_ >= 0; }  ///< whether an identifier is held
+  void reset();                            ///< closes it now; nothing is held afterwards
 
  private:
   hid_t id_ = -1;
@@ -42,8 +45,10 @@ class Hdf5Writer {
   /// One-dimensional array; `units` in UDUNITS spelling ("N/m", "s", "1"). Chunked, compressed, checksummed.
   void array(const std::string& path, std::span<const double> values, const std::string& units,
              const std::string& meaning);
+  /// The same of 32 bits, which keep 7 digits.
   void array(const std::string& path, std::span<const float> values, const std::string& units,
              const std::string& meaning);
+  /// The same of whole numbers of 32 bits.
   void array(const std::string& path, std::span<const int> values, const std::string& units,
              const std::string& meaning);
   /// What every file of ours begins with: format and its version, version and commit of this program.
@@ -51,8 +56,8 @@ class Hdf5Writer {
   /// Attributes of the root group. Texts have a fixed length, UTF-8; one too long for an attribute becomes an array of
   /// bytes, /texts/NAME.
   void attribute(const std::string& name, std::string_view value);
-  void attribute(const std::string& name, double value);
-  void attribute(const std::string& name, long long value);
+  void attribute(const std::string& name, double value);     ///< of 64 bits; `Hdf5Reader` takes finite numbers only
+  void attribute(const std::string& name, long long value);  ///< of 64 bits
 
   /// Writes the finished file under its final name, followed by a checksum of 24 bytes that HDF5 ignores.
   void save(const std::filesystem::path& path);
@@ -69,22 +74,25 @@ class Hdf5Reader {
  public:
   /// Throws when the file does not end in the checksum that `Hdf5Writer` gives it, or holds what it never writes.
   explicit Hdf5Reader(const std::filesystem::path& path);
-  Hdf5Reader(Hdf5Reader&&) = default;
+  Hdf5Reader(Hdf5Reader&&) = default;  ///< the bytes stay where they are in memory
 
   /// Throws unless the root attributes `format` and `format_version` are these.
   void require_format(const std::string& format, long long format_version) const;
 
   /// An array of this path, or a group that holds one.
   bool has(const std::string& path) const;
+  /// An array of numbers of any kind. Throws when there is none of this path or it holds bytes of a text.
   std::vector<double> doubles(const std::string& path) const;
+  /// An array of whole numbers of 32 bits. Throws when there is none of this path or it holds something else.
   std::vector<int> ints(const std::string& path) const;
-  bool has_attribute(const std::string& name) const;
+  bool has_attribute(const std::string& name) const;  ///< of the root group
+  /// A text of any length, UTF-8. Throws when there is no such attribute or it is no text.
   std::string text_attribute(const std::string& name) const;
   /// A finite number.
   double number_attribute(const std::string& name) const;
   /// A whole number from `low` to `high`.
   long long integer_attribute(const std::string& name, long long low, long long high) const;
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return name_; }  ///< path of the file, for messages
 
  private:
   const Hdf5Array& array(const std::string& path) const;

@@ -14,7 +14,14 @@
 namespace bitrock::base {
 
 /// What one value is. All numbers are little-endian.
-enum class Hdf5Kind { byte, int32, int64, real32, real64, text };
+enum class Hdf5Kind {
+  byte,    ///< 8 bits without a sign: of long texts
+  int32,   ///< whole number with a sign
+  int64,   ///< whole number with a sign
+  real32,  ///< IEEE 754 number
+  real64,  ///< IEEE 754 number
+  text     ///< UTF-8 of a fixed length
+};
 
 /// One value of the root group.
 struct Hdf5Attribute {
@@ -29,7 +36,11 @@ struct Hdf5Chunk {
 };
 
 /// What a piece of an array has passed through.
-enum class Hdf5Filter : std::uint16_t { deflate = 1, shuffle = 2, fletcher32 = 3 };
+enum class Hdf5Filter : std::uint16_t {
+  deflate = 1,    ///< compression, as of zlib
+  shuffle = 2,    ///< first bytes of all values together, then the second ones: they compress better
+  fletcher32 = 3  ///< checksum of 4 bytes behind the piece
+};
 
 /// Where an array lies and how it is stored.
 struct Hdf5Array {

@@ -7,6 +7,7 @@
 
 namespace bitrock::base {
 
+/// First part of the path of every file that bitrock brings along.
 inline constexpr const char* shipped_folder = "campaigns";
 
 /// `campaigns/...` that is not to be found from here means the file of that name in `data_folder`, where that has it;

@@ -8,6 +8,7 @@
 
 namespace bitrock::base {
 
+/// One file of an archive.
 struct ZipEntry {
   std::string name;        ///< with / between folders, no / in front
   std::string_view bytes;  ///< of the file, unpacked

@@ -1,11 +1,11 @@
 # Headers for Doxygen. It gives a comment to one name only; here the comment behind a declaration belongs to all of its names,
 # and one written for C (/* ... */ or // ...) counts too:
 #     double width, height;  ///< of the box [m]   ->   double width; /**< of the box [m] */ double height; /**< of the box [m] */
-# Units in a list, one for each name, go each to its own. A comment above a declaration of several names counts for each of them. Lines keep their numbers.
-
+# Units in a list, one for each name, go each to its own. A comment above a declaration of several names counts for each of them.
+# In headers of C the same holds of comments above a declaration and behind an enumerator. Lines keep their numbers.
 #
 # The comment at the head of a header is about the file, and its first sentence is also about the first struct, class or enum
-# that has no comment of its own: a file is about one thing.
+# when that has no comment of its own: a file is about one thing.
 
 # The names of a declaration, between commas that are in no bracket.
 function split_names(text, names,    i, c, depth, count, part) {
@@ -31,9 +31,24 @@ function said(comment, i, count,    units) {
   return comment ~ /^\[[^\]]*\](, \[[^\]]*\])+$/ && split(comment, units, ", ") == count ? units[i] : comment
 }
 
+# Headers of C. A comment above #if is about the choice, not about what is declared next.
+/^#define [A-Z_]+_H$/ { in_c = 1; print "/** @file"; getline; sub(/^\/\*/, " *"); print; next }
+in_c && /^\/\*/ {
+  block = $0
+  while (block !~ /\*\/$/ && getline > 0) block = block "\n" $0
+  if ((getline following) > 0 && following !~ /^#if/) sub(/^\/\*/, "/**", block)
+  print block
+  $0 = following
+}
+in_c && /^  [A-Z_0-9]+ = [0-9]+,? +\/\* / { sub(/\/\*/, "/**<") }
+
 /^#pragma once/ { in_head = 1; print "/// @file"; next }
-in_head && !/^\/\/\// { in_head = 0; sub(/\. .*/, ".", above); head = above }
-head != "" && above == "" && /^(struct|class|enum) [^;]*\{/ { print "/**" head " */ " $0; head = ""; next }
+in_head && !/^\/\/\// { in_head = 0; sub(/\.  *[A-Z`*\[].*/, ".", above); head = above }
+head != "" && /^(struct|class|enum) [^;]*\{/ {
+  print (above == "" ? "/**" head " */ " : "") $0
+  head = above = ""
+  next
+}
 
 /^ *\/\/\/[^<]/ || /^ *\/\/\/$/ {
   text = $0
@@ -75,5 +90,7 @@ head != "" && above == "" && /^(struct|class|enum) [^;]*\{/ { print "/**" head "
   print line
   next
 }
+
+/^template </ { print; next }  # a comment above it is about what follows
 
 { above = ""; print }

@@ -35,6 +35,7 @@ inline bool same(const PeakDefinition& a, const PeakDefinition& b) {
          agree(a.min_distance, b.min_distance);
 }
 
+/// Nothing smoothed; every local maximum above `height_threshold` counts [BitRock2026, sec. 3.2].
 inline PeakDefinition as_in_the_article() {
   return {};
 }
@@ -50,9 +51,10 @@ inline PeakDefinition converging(double mean_diameter) {
 /// A history as peaks are looked for in it, and the least prominence and distance in its samples. `spacing` of the
 /// samples [m], above 0.
 struct PeakSearch {
-  std::vector<double> signal;
-  Selection selection;
+  std::vector<double> signal;  ///< smoothed as the definition says [unit of the force]
+  Selection selection;         ///< distance in samples of `signal`
 };
+/// Smooths `force` and turns the lengths of the definition into samples.
 PeakSearch prepared(std::span<const double> force, double spacing, const PeakDefinition& definition);
 
 /// The five numbers by a definition.

@@ -19,6 +19,7 @@
 
 namespace bitrock::peaks {
 
+/// One part of the window.
 struct Part {
   std::size_t begin = 0, end = 0;  ///< samples [begin, end)
   PeakStatistics peaks;            ///< amax and amean of this part; bands are shares of the A_max of the window
@@ -31,6 +32,7 @@ std::vector<std::size_t> part_borders(std::size_t samples, int parts);
 /// The same by time: finite, never falling, the last above the first. Parts without a sample are possible.
 std::vector<std::size_t> part_borders(std::span<const double> time, int parts);
 
+/// A part between each two of the `borders`, which are those of `part_borders` for this signal.
 std::vector<Part> statistics_by_part(std::span<const double> signal, std::span<const std::size_t> borders,
                                      const Selection& selection = {});
 

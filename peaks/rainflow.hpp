@@ -23,8 +23,9 @@ namespace bitrock::peaks {
 template <class Count>
 class Rainflow {
  public:
-  explicit Rainflow(Count count) : count_(count) {}
+  explicit Rainflow(Count count) : count_(count) {}  ///< called by `add` and `finish`
 
+  /// The next value of the history; cycles that it closes are counted now.
   void add(double value) {
     if (!turns_.empty() && value == turns_.back()) return;
     const std::size_t size = turns_.size();

@@ -21,7 +21,7 @@ struct Selection {
   double min_prominence = 0.0;  ///< share of the highest sample; a peak of exactly this much counts [1]
   double min_distance = 0.0;    ///< [samples]
 
-  bool operator==(const Selection&) const = default;
+  bool operator==(const Selection&) const = default;  ///< both numbers, to the last bit
 };
 
 /// One for each peak. `found`: peaks of the signal, finite, in order of occurrence [unit of the signal].

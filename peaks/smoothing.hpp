@@ -21,6 +21,7 @@
 
 namespace bitrock::peaks {
 
+/// As many samples as `signal` has, in its unit. `length_in_samples` is L / s, of each of the two means.
 std::vector<double> smoothed(std::span<const double> signal, double length_in_samples);
 
 }  // namespace bitrock::peaks

@@ -44,6 +44,7 @@ std::vector<std::size_t> counted_peaks(std::span<const double> signal, const Sel
 
 /// Of a signal; all zero for one without a peak.
 PeakStatistics peak_statistics(std::span<const double> signal);
+/// The same of those peaks alone that the selection leaves.
 PeakStatistics peak_statistics(std::span<const double> signal, const Selection& selection);
 
 /// Of these peaks, with bands that are shares of `amax`.

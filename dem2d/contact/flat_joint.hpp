@@ -57,7 +57,12 @@
 namespace bitrock::dem2d {
 
 /// What an element of a joint is; numbers as in files.
-enum class ElementState : std::uint8_t { never_bonded = 0, broken_in_tension = 1, broken_in_shear = 2, bonded = 3 };
+enum class ElementState : std::uint8_t {
+  never_bonded = 0,       ///< of a joint made slit or gapped: behaves as one broken in tension
+  broken_in_tension = 1,  ///< sigma had reached the tensile strength
+  broken_in_shear = 2,    ///< |tau*| had reached the shear strength: keeps the residual cohesion
+  bonded = 3              ///< carries tension, and shear up to its strength
+};
 
 /// Stiffness and strength of one joint.
 struct FlatJointLaw {
@@ -87,6 +92,7 @@ struct InterfaceForce {
   double moment = 0.0;  ///< sum of r_c N + m; disc 1 feels minus this, disc 2 plus this [N]
 };
 
+/// What the normal stress on one element amounts to.
 struct NormalResultant {
   double force;   ///< N, tension positive [N/m]
   double moment;  ///< m about the middle of the element [N]

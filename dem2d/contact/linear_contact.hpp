@@ -25,6 +25,7 @@
 
 namespace bitrock::dem2d {
 
+/// Stiffness, friction and dashpots of one contact.
 struct LinearLaw {
   double normal_stiffness;  ///< kn [Pa]
   double shear_stiffness;   ///< ks [Pa]

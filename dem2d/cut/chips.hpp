@@ -14,6 +14,7 @@ namespace bitrock::dem2d {
 inline constexpr double chip_climbs_to = 0.15;     ///< of the largest force [1]
 inline constexpr double chip_collapses_to = 0.02;  ///< of the largest force [1]
 
+/// `force`: resistance in the order of time, in any unit. A climb that has not collapsed by the end does not count.
 inline int count_chips(std::span<const double> force) {
   if (force.empty()) return 0;
   const double largest = *std::max_element(force.begin(), force.end());

@@ -12,6 +12,7 @@
 
 namespace bitrock::dem2d {
 
+/// What the pressure did to the bed.
 struct Settled {
   double surface_drop = 0.0;  ///< of the surface, the bottom standing [m]
   double shortening = 0.0;    ///< of the bed along the cut, its left edge standing [m]

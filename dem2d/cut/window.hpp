@@ -37,9 +37,13 @@ bool is_in_its_place(const Window& window, const Discs& discs, std::size_t disc)
 /// Takes the rock beyond `moving_ahead` of the tip out of `world`, which is prepared and in columns.
 Window open_window(World& world, const CutCase& cut, double tip_x);
 
-/// What keeps rock from entering, within two columns of the end it comes in at: nothing; debris that lies or flies
-/// there; rock that was made there and is out of its place, over which new rock would be laid.
-enum class AtTheDoor { nothing, debris, displaced_rock };
+/// What keeps rock from entering, within two columns of the end it comes in at.
+enum class AtTheDoor {
+  nothing,        ///< rock in its place
+  debris,         ///< rock of elsewhere, which lies or flies there
+  displaced_rock  ///< rock that was made there and is out of its place: new rock would be laid over it
+};
+/// The worst of what is there.
 AtTheDoor at_the_door(const Window& window, const Discs& discs);
 
 /// Moves the window on when the tip has travelled a few columns. Between two steps.

@@ -14,6 +14,7 @@
 
 namespace bitrock::dem2d {
 
+/// Size of the box that discs lie in.
 struct BoxSize {
   double width, height;  ///< [m]
 };

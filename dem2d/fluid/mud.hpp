@@ -43,7 +43,7 @@ struct Mud {
   int steps = 0;                 ///< since then
 
   // room for a look
-  FaceSearch search;
+  FaceSearch search;                      ///< of the outer faces
   std::vector<int> disc1, disc2;          ///< edges: what keeps the mud out
   std::vector<std::vector<char>> sealed;  ///< of the boundaries that seal, whether a disc touches them
 };

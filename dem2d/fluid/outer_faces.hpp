@@ -19,16 +19,17 @@ namespace bitrock::dem2d {
 
 /// One stop of a walk: a disc, the one before and the one after. A disc may be passed more than once.
 struct FaceStop {
-  int before, disc, after;
+  int before, disc, after;  ///< places of the discs in the arrays that `find_outer_faces` is given
 };
 
+/// The faces of all pieces, one after the other.
 struct OuterFaces {
   std::vector<FaceStop> stops;  ///< piece after piece, each in the order of its walk
   std::vector<int> pieces;      ///< where in `stops` each piece begins; one more at the end
   int crossing = 0;             ///< pieces left out because their edges cross
   int crossing_stops = 0;       ///< stops of their walks
 
-  int count() const { return static_cast<int>(pieces.size()) - 1; }
+  int count() const { return static_cast<int>(pieces.size()) - 1; }  ///< pieces with a face; -1 before the first search
 };
 
 /// Room for the search, so that it allocates only when it grows.

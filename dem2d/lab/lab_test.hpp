@@ -60,9 +60,14 @@
 
 namespace bitrock::dem2d {
 
-/// Uniaxial compression, direct tension, Brazilian disc, compression under a confining pressure, tension of a core with
-/// a saw cut.
-enum class LabTest { ucs, tension, brazilian, triaxial, toughness };
+/// What is done to a core.
+enum class LabTest {
+  ucs,        ///< uniaxial compression between platens
+  tension,    ///< direct tension, held at both ends
+  brazilian,  ///< a disc pressed across its diameter
+  triaxial,   ///< compression under a confining pressure
+  toughness   ///< tension of a core with a saw cut
+};
 
 /// All of them.
 inline constexpr std::array lab_tests{LabTest::ucs, LabTest::tension, LabTest::brazilian, LabTest::triaxial,
@@ -78,6 +83,7 @@ constexpr bool strains_evenly(LabTest test) {
   return test != LabTest::brazilian && test != LabTest::toughness;
 }
 
+/// Core and loading of a test.
 struct LabSettings {
   double width = 50e-3;             ///< of the core; brazilian: diameter of the disc [m]
   double height = 100e-3;           ///< of the core; not used by brazilian [m]

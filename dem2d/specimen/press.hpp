@@ -14,6 +14,7 @@
 
 namespace bitrock::dem2d {
 
+/// What it took to come to rest.
 struct Pressed {
   int cracks = 0;       ///< elements that broke under the pressure alone
   long long steps = 0;  ///< that it took

@@ -13,6 +13,7 @@ struct SpecimenSummary {
   double critical_step = 0.0;        ///< of its world without boundaries [s]
 };
 
+/// Bonds the specimen to find its critical step.
 SpecimenSummary summary_of(const Specimen& specimen);
 
 }  // namespace bitrock::dem2d

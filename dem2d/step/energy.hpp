@@ -38,11 +38,12 @@
 namespace bitrock::dem2d {
 
 struct Energies {
-  double kinetic = 0.0;
+  double kinetic = 0.0;  ///< of all discs, spin included
+  /// Elastic: in flat joints; in contacts of loose discs; in contacts of discs with boundaries.
   double strain_joints = 0.0, strain_contacts = 0.0, strain_boundaries = 0.0;
-  double friction = 0.0;  ///< of unbonded elements, loose discs and boundaries
-  double dashpots = 0.0;
-  double local_damping = 0.0;
+  double friction = 0.0;       ///< of unbonded elements, loose discs and boundaries
+  double dashpots = 0.0;       ///< of contacts, between discs and with boundaries
+  double local_damping = 0.0;  ///< of all discs, also those that have left
   double breaking = 0.0;       ///< released by elements that broke
   double switching = 0.0;      ///< by springs that close or open within a step, see above
   double removed = 0.0;        ///< with discs that left the domain
@@ -59,11 +60,12 @@ Energies read_energies(const World& world);
 
 /// An entry of the ledger, and what it is called in run files and in Python, with "_J_per_m" behind it.
 struct EnergyEntry {
-  const char* name;
-  double Energies::*value;
-  const char* meaning;
+  const char* name;             ///< such as "cutter_work", which is `boundary_work` of a cut
+  double Energies::*value;      ///< [J/m]
+  const char* meaning;          ///< for people: long_name of its array in run files
   bool only_under_mud = false;  ///< always 0 without mud
 };
+/// All entries of `Energies`, in the order of run files.
 inline constexpr EnergyEntry energy_entries[] = {
     {"cutter_work", &Energies::boundary_work, "work of the cutter so far"},
     {"kinetic", &Energies::kinetic, "of all discs in the domain"},
@@ -103,6 +105,7 @@ struct JointPosition {
   double rotation;  ///< of disc 2 against disc 1 since installation [rad]
   double overlap;   ///< of the discs, negative when apart [m]
 };
+/// By the present places of its two discs. `joint` is its place in `FlatJoints`.
 JointPosition joint_position(const World& world, std::size_t joint);
 
 /// Elastic energy in a joint [J/m].
@@ -116,9 +119,12 @@ double contact_strain(const World& world);
 double last_half_step(const World& world, const std::vector<PairForce>& forces, std::size_t place, int disc1,
                       int disc2);
 
-// What leaves the lists hands its losses to `World::energy` first; `stays` has one flag an entry.
+/// What leaves the lists hands its losses to `World::ledger.accounts` first: joints, of which `stays` has one flag
+/// each, 0 for those that leave. Nothing where energy is not measured.
 void book_joint_losses(World& world, const std::vector<char>& stays);
 void book_contact_losses(World& world);  ///< of all contacts; theirs start again at 0
+/// The same of discs, with the energy in their motion, joints and contacts as `removed`; books the losses of their
+/// joints and of all contacts, too. Only where energy is measured.
 void book_lost_discs(World& world, const std::vector<char>& discs_stay, const std::vector<char>& joints_stay,
                      const std::vector<char>& contacts_stay);
 

@@ -12,6 +12,7 @@ struct ConvexPolygon {
   std::vector<double> x, y;  ///< corners, counter-clockwise [m]
 };
 
+/// Where a polygon is nearest to a point.
 struct NearestPoint {
   double x, y;                ///< on the boundary [m]
   double normal_x, normal_y;  ///< from the polygon towards the query point, unit length [1]

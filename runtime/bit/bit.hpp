@@ -15,6 +15,7 @@
 
 namespace bitrock::runtime {
 
+/// One cutter, and the ring of rock that it takes.
 struct Cutter {
   int number = 0;          ///< part of the address of its random draws; 1-based place in the file
   double radius = 0.0;     ///< [m] from the axis to the middle of the ring of rock that it takes
@@ -49,14 +50,16 @@ Bit bit_inside(base::ConfigFile& file);
 
 /// The words for the modes, in files and flags.
 struct ModeName {
-  std::string_view name;
-  SignalMode mode;
+  std::string_view name;  ///< as it is written
+  SignalMode mode;        ///< what it means
 };
+/// All of them, in the order in which people are told.
 inline constexpr std::array<ModeName, 4> mode_names{{{"auto", SignalMode::automatic},
                                                      {"sawtooth", SignalMode::sawtooth},
                                                      {"article", SignalMode::article},
                                                      {"article-literal", SignalMode::article_literal}}};
 
+/// The word for it.
 std::string_view name_of(SignalMode mode);
 /// Empty for a name that no mode has.
 std::optional<SignalMode> mode_named(std::string_view name);

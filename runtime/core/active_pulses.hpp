@@ -20,6 +20,7 @@ typedef double BothDirections __attribute__((vector_size(2 * sizeof(double))));
 /// Two pulses: x and y of the one, x and y of the other.
 using TwoPulses = FourNumbers;
 
+/// Two pulses that are felt, in both directions.
 struct ActivePair {
   TwoPulses height;              ///< [N/m]
   TwoPulses inverse_half_width;  ///< [1/rad]
@@ -29,9 +30,10 @@ struct ActivePair {
 /// A cutter that feels more pulses than this is asked by `force_at`: slower, to the same bits.
 inline constexpr std::size_t most_active = 8;
 
+/// The pulses that one cutter feels while the angle stays in a range.
 struct ActiveCutter {
   double after = 0.0;       ///< [rad] right for after < angle < until, from the beginning of the window
-  double until = -1.0;      ///< [rad]
+  double until = -1.0;      ///< [rad] at first below `after`: right for no angle
   BothDirections weight{};  ///< [m2] width times arm for x, which gives torque; [m] width for y
   std::size_t count = 0;    ///< of active pulses, also when there are more than `most_active`
   std::array<ActivePair, most_active / 2> pairs{};  ///< in their order; the last may be half empty, the first empty

@@ -54,8 +54,9 @@ extern "C" {
 /* Grows when a function, a structure or the meaning of one changes. */
 #define BITROCK_RUNTIME_VERSION 2
 
+/* How a call ended. */
 typedef enum {
-  BITROCK_OK = 0,
+  BITROCK_OK = 0,                /* done */
   BITROCK_NULL_POINTER = 1,      /* an argument that must point somewhere */
   BITROCK_BAD_MEMORY = 2,        /* too small, or not on an address divisible by 16 */
   BITROCK_NOT_A_CORE = 3,        /* memory that `create` did not fill */
@@ -79,18 +80,33 @@ typedef struct {
   int64_t number; /* part of the address of its random draws, within 32 bits: different cutters, different numbers */
 } bitrock_cutter;
 
-enum { BITROCK_COMBINE_SUM = 0, BITROCK_COMBINE_MAX = 1 }; /* where peaks overlap: they add up, or the higher */
+/* Where peaks of a cutter overlap. */
 enum {
-  BITROCK_FIT_BAND_PRESERVING = 0,
-  BITROCK_FIT_ARTICLE = 1
-}; /* heights meet their mean in their bands, or scaled */
-enum { BITROCK_RECTIFIED = 0, BITROCK_SOFTPLUS = 1, BITROCK_LINEAR = 2 }; /* last layer: max(0, x), ln(1 + e^x), x */
+  BITROCK_COMBINE_SUM = 0, /* they add up */
+  BITROCK_COMBINE_MAX = 1  /* the higher counts */
+};
 
-/* What the force is rebuilt from. ARTICLE_LITERAL: peaks of five statistics, pulses of one width factor. ARTICLE: the
- * same; where the model has seventeen outputs, pulses are so wide that the mean of the model is met. SAWTOOTH: pulses
- * of mean, standard deviation and correlation lengths (signal/sawtooth_law.hpp); needs a model of seventeen outputs. */
-enum { BITROCK_MODE_ARTICLE_LITERAL = 0, BITROCK_MODE_ARTICLE = 1, BITROCK_MODE_SAWTOOTH = 2 };
+/* How the heights of peaks meet their mean. */
+enum {
+  BITROCK_FIT_BAND_PRESERVING = 0, /* each stays in its band */
+  BITROCK_FIT_ARTICLE = 1          /* all are scaled, and may leave their bands */
+};
 
+/* What the last layer of a network does with x. */
+enum {
+  BITROCK_RECTIFIED = 0, /* max(0, x) */
+  BITROCK_SOFTPLUS = 1,  /* ln(1 + e^x) */
+  BITROCK_LINEAR = 2     /* x */
+};
+
+/* What the force is rebuilt from (docs/theory/force_signal.md). */
+enum {
+  BITROCK_MODE_ARTICLE_LITERAL = 0, /* peaks of five statistics, pulses of one width factor */
+  BITROCK_MODE_ARTICLE = 1,         /* the same; pulses so wide that the mean is met, if the model has 17 outputs */
+  BITROCK_MODE_SAWTOOTH = 2         /* pulses of mean, standard deviation and correlation lengths; needs 17 outputs */
+};
+
+/* How the force is drawn and rebuilt. */
 typedef struct {
   double window_angle_rad;   /* theta_T, above 0; pi / 3 is bitrock's default */
   double pulse_width_factor; /* f [1], above 0 and at most 2; 1 is the default */
@@ -102,24 +118,25 @@ typedef struct {
   int32_t reserved;          /* 0; the structure has no bytes without meaning, so its bytes can be compared */
 } bitrock_signal;
 
-/* scaled = (value - offset) / scale, all in the unit of the model file: m/s, mm, deg. */
+/* One input of a network: scaled = (value - offset) / scale, all in the unit of the model file: m/s, mm, deg. */
 typedef struct {
   double low, high; /* training range: conditions outside are moved to its edge and counted */
   double offset;    /* taken off before scaling */
   double scale;     /* above 0 */
 } bitrock_input;
 
-/* y = offset + scale g for what the network gives, g; or y = y_0 (exp(offset + scale g) - 1) with a log_reference y_0
- * above 0. Negative y become 0. */
+/* One output and its network: y = offset + scale g for what the network gives, g; or y = y_0 (exp(offset + scale g) -
+ * 1) with a log_reference y_0 above 0. Negative y become 0. */
 typedef struct {
   double offset, scale;      /* finite; of the logarithm where there is a log_reference */
   double log_reference;      /* y_0, or 0 */
   const double* parameters;  /* for k = 1..K: weights W[k] row by row (n[k] x n[k-1]), then biases b[k] (n[k]) */
   const int32_t* layers;     /* n[0] = 3, n[1], ..., n[K] = 1; each at most 64 */
   int32_t layer_count;       /* K + 1, from 2 to 16 */
-  int32_t output_activation; /* BITROCK_OUTPUT_... */
+  int32_t output_activation; /* BITROCK_RECTIFIED, BITROCK_SOFTPLUS or BITROCK_LINEAR */
 } bitrock_output;
 
+/* The networks of one rock: the numbers of a model file. */
 typedef struct {
   bitrock_input inputs[3];    /* cutter speed [m/s], depth of cut [mm], back rake [deg] */
   bitrock_output outputs[17]; /* amax [N/m], amean [N/m], np1, np23, np4 [1/m of cut]: five of x (cutting direction),
@@ -129,6 +146,7 @@ typedef struct {
   int32_t output_count;       /* 10 or 17 */
 } bitrock_model;
 
+/* All that a core is made of. */
 typedef struct {
   bitrock_signal signal;         /* how peaks are drawn */
   bitrock_model model;           /* the networks */
@@ -136,11 +154,11 @@ typedef struct {
   int64_t cutter_count;          /* 1 to 1000 */
 } bitrock_description;
 
-/* Of the rock on the bit; resistance to drilling is positive. Rotation and rate of penetration are what you give, force
- * is what you get: the share of cutting alone, F_s and T_s of docs/theory/drillstring.md. What else is between bit and
- * rock is yours to add: the spring of the rock under the bit, whose push W is the weight on bit, friction in proportion
- * to it, and the law by which W and rotation give a rate of penetration. W + F_s is the whole push of the rock. F_s
- * alone is far below a weight on bit and hardly grows with the depth of cut (docs/known_limits.md).
+/* Load of the rock on the bit; resistance to drilling is positive. Rotation and rate of penetration are what you give,
+ * force is what you get: the share of cutting alone, F_s and T_s of docs/theory/drillstring.md. What else is between
+ * bit and rock is yours to add: the spring of the rock under the bit, whose push W is the weight on bit, friction in
+ * proportion to it, and the law by which W and rotation give a rate of penetration. W + F_s is the whole push of the
+ * rock. F_s alone is far below a weight on bit and hardly grows with the depth of cut (docs/known_limits.md).
  */
 typedef struct {
   double axial_force_N; /* pushes the bit off the rock */
@@ -160,6 +178,7 @@ typedef struct {
   int64_t correlation_clamped; /* the same: those whose correlation of x and y is out of reach */
 } bitrock_tally;
 
+/* A core in memory that the caller gave; only its bytes are known, see bitrock_core_create. */
 typedef struct bitrock_core bitrock_core;
 
 /* BITROCK_RUNTIME_VERSION of the library. */
@@ -204,16 +223,21 @@ BITROCK_API bitrock_status bitrock_core_accept(bitrock_core* core, double time_s
 BITROCK_API bitrock_status bitrock_core_averages(const bitrock_core* core, double* rotation_rad_per_s,
                                                  double* rate_of_penetration_m_per_s);
 
+/* What was counted so far. */
 BITROCK_API bitrock_status bitrock_core_tally(const bitrock_core* core, bitrock_tally* tally);
 
-/* After BITROCK_BAD_PREDICTION: the number of the cutter that was asked about, and which output (0..15) answered so. */
+/* After BITROCK_BAD_PREDICTION: the number of the cutter that was asked about, and which output (0..16) answered so. */
 BITROCK_API bitrock_status bitrock_core_fault(const bitrock_core* core, int64_t* cutter_number, int32_t* output);
 
 /* The whole state as bytes: at most 11 kB, and 0.4 kB in use while nothing was accepted. They may be kept, copied and
  * written to a file, and are good for every core of the same description on a machine of the same byte order; a
  * checksum guards them. */
 BITROCK_API bitrock_status bitrock_core_state_size(const bitrock_core* core, size_t* bytes);
+
+/* Writes the state to `state`, which has room for `bytes`, at least those of bitrock_core_state_size. */
 BITROCK_API bitrock_status bitrock_core_save(const bitrock_core* core, void* state, size_t bytes);
+
+/* Brings a state back; `bytes` as of bitrock_core_save. What follows has the same bits as what followed the save. */
 BITROCK_API bitrock_status bitrock_core_restore(bitrock_core* core, const void* state, size_t bytes);
 
 #ifdef __cplusplus

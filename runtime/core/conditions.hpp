@@ -69,6 +69,7 @@ struct ModelNumbers {
   int output_count = surrogate::article_output_count;          ///< or `surrogate::most_outputs`
 };
 
+/// It has seventeen outputs: also those from which sawteeth are made.
 inline bool has_moments(const ModelNumbers& model) {
   return model.output_count == surrogate::most_outputs;
 }

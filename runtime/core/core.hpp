@@ -18,6 +18,7 @@ namespace bitrock::runtime {
 inline constexpr double most_windows = 1e15;  ///< every window number below it is an exact double
 inline constexpr std::uint64_t core_magic = 0x62697472'6f636b31ULL;  ///< "bitrock1"
 
+/// What a core knows of one cutter.
 struct alignas(16) CoreCutter {
   int number = 0;            ///< on the bit
   double path_radius = 0.0;  ///< [m]
@@ -51,25 +52,32 @@ struct alignas(16) Core {
   std::int32_t fault_output = 0;  ///< output of the first fault, where there was one
 };
 
+/// Whether the mode is "sawtooth". Otherwise it is one of peaks.
 inline bool is_sawtooth(const Core& core) {
   return core.signal.mode == SignalMode::sawtooth;
 }
 
+/// First of `cutter_count`, in the order of the bit; likewise below.
 inline CoreCutter* cutters(Core& core) {
   return reinterpret_cast<CoreCutter*>(&core + 1);
 }
+/// Of the modes of peaks alone.
 inline ActiveCutter* active_cutters(Core& core) {
   return reinterpret_cast<ActiveCutter*>(cutters(core) + core.cutter_count);
 }
+/// Of the modes of peaks alone.
 inline CutterForce* cutter_forces(Core& core) {
   return reinterpret_cast<CutterForce*>(active_cutters(core) + core.cutter_count);
 }
+/// The same of a core that stays as it is.
 inline const CutterForce* cutter_forces(const Core& core) {
   return cutter_forces(const_cast<Core&>(core));
 }
+/// Of the mode "sawtooth" alone.
 inline SawtoothCutter* sawtooth_cutters(Core& core) {
   return reinterpret_cast<SawtoothCutter*>(cutters(core) + core.cutter_count);
 }
+/// Of the mode "sawtooth" alone: room for `most_felt_blocks`.
 inline PulseBlock* pulse_blocks(Core& core) {
   return reinterpret_cast<PulseBlock*>(sawtooth_cutters(core) + core.cutter_count);
 }
@@ -118,8 +126,9 @@ bool has_wide_vectors();
 /// and nothing changed, when the model has no finite answer for one.
 bool go_to(Core& core, const WindowMemory& windows);
 
-/// Sum over the cutters, and back into one.
+/// Sum over the cutters.
 DrawTally draws(const Core& core);
+/// Sets that sum; the cutters count from 0 again.
 void set_draws(Core& core, const DrawTally& draws);
 
 /// Windows that can be felt in window k: from k - 1 to k + this.

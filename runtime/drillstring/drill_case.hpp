@@ -16,8 +16,14 @@
 namespace bitrock::runtime {
 
 /// What shakes the bit.
-enum class SourceKind { none, sinusoidal, noise, bit };
+enum class SourceKind {
+  none,        ///< nothing: no force and no torque of cutting
+  sinusoidal,  ///< waves over the angle of the bit
+  noise,       ///< a random number for each piece of the angle
+  bit          ///< the cutters of a bit, by the networks
+};
 
+/// What shakes the bit, and how much.
 struct SourceCase {
   SourceKind kind = SourceKind::none;  ///< which one
   Excitation force;                    ///< [N] of the simple kinds

@@ -31,8 +31,8 @@ struct DrillSeries {
 
 /// Of a number over the steps.
 struct Spread {
-  double mean = 0.0, deviation = 0.0, lowest = 0.0,
-         highest = 0.0;  ///< deviation: standard, RMS^2 = mean^2 + deviation^2
+  /// Each step counts alike. Deviation: standard, RMS^2 = mean^2 + deviation^2.
+  double mean = 0.0, deviation = 0.0, lowest = 0.0, highest = 0.0;
 };
 
 /// Over all steps after the settling time.

@@ -29,7 +29,11 @@ Drive drive_at(const TopDrive& drive, double time);
 double drive_torque_at(const TopDrive& drive, double time);
 
 /// How friction depends on speed.
-enum class FrictionLaw { none, smooth, stribeck };
+enum class FrictionLaw {
+  none,     ///< no friction
+  smooth,   ///< `SmoothFriction`, which never sticks
+  stribeck  ///< `StribeckFriction`, which sticks
+};
 
 /// Friction at the bit or at the wall; both constants are there, `law` says which count.
 struct Friction {
@@ -39,11 +43,18 @@ struct Friction {
 };
 
 /// How the bit advances under its weight.
-enum class AdvanceLaw { none, root, regularized };
+enum class AdvanceLaw {
+  none,        ///< the rock face stands still
+  root,        ///< `RootAdvance`, that of the article
+  regularized  ///< `RegularizedAdvance`
+};
 
-/// What of the source's axial force acts on the bit. It acts beside the rock spring; with its mean, the spring carries
-/// less than the weight on bit by that mean.
-enum class AxialSource { full, fluctuation, none };
+/// What of the source's axial force acts on the bit, beside the rock spring.
+enum class AxialSource {
+  full,         ///< all of it: the spring carries less than the weight on bit by its mean
+  fluctuation,  ///< less its running mean over a turn of cut
+  none          ///< nothing of it
+};
 
 /// Everything at the bit.
 struct BitRock {

@@ -32,8 +32,8 @@ inline constexpr std::size_t most_block_bytes = std::size_t{1} << 26;  ///< 64 M
 
 /// What a block says. Points into its bytes; so it must not be copied away from them, nor moved itself.
 struct BitBlock {
-  std::uint64_t checksum = 0;  ///< of all behind it
-  std::array<char, guid_bytes> guid{};
+  std::uint64_t checksum = 0;                             ///< of all behind it
+  std::array<char, guid_bytes> guid{};                    ///< of the FMU, as its model description says it; ends with 0
   double threshold_weight = 0.0;                          ///< [N]
   bitrock_description description{};                      ///< points into the bytes
   std::array<std::array<std::int32_t, 16>, 17> layers{};  ///< of each output

@@ -8,6 +8,7 @@
 
 namespace bitrock::fmu {
 
+/// What the host may set before the first step.
 struct Settings {
   bitrock_signal signal{};        ///< parameters of the FMU
   double threshold_weight = 0.0;  ///< [N]
@@ -21,7 +22,12 @@ struct Inputs {
 };
 
 /// Where the host is in the order of calls.
-enum class Phase : std::int64_t { instantiated, initialising, stepping, terminated };
+enum class Phase : std::int64_t {
+  instantiated,  ///< made, or reset
+  initialising,  ///< between fmi2EnterInitializationMode and fmi2ExitInitializationMode
+  stepping,      ///< may call fmi2DoStep; parameters are fixed
+  terminated     ///< after fmi2Terminate
+};
 
 /// Everything that changes but the core. All members have eight bytes: copies of it are compared and saved as bytes.
 struct Moment {

@@ -6,10 +6,11 @@
 
 namespace bitrock::fmu {
 
+/// The library for one system.
 struct Library {
   std::string_view platform;   ///< folder below `binaries`, as the standard names it
   std::string_view extension;  ///< of the file
-  std::string_view bytes;
+  std::string_view bytes;      ///< the whole file, within this program
 };
 
 /// linux64 where bitrock was built on such a machine, win64 where the compiler for it was found.

@@ -8,7 +8,7 @@ namespace bitrock::fmu {
 /// Bytes in memory of `malloc`; whoever gets them frees them.
 struct FileBytes {
   char* bytes = nullptr;  ///< null: it could not be read
-  std::size_t size = 0;
+  std::size_t size = 0;   ///< [bytes]
 };
 
 /// Of a path with its zero.

@@ -6,30 +6,40 @@
 
 namespace bitrock::fmu {
 
-/// Numbers of the variables.
+/// Numbers of the variables: their places in `variables`, which says unit and meaning of each.
 enum Reference : unsigned {
-  rotation,
-  rate_of_penetration,
-  weight_on_bit,
-  torque,
-  axial_force,
-  angle,
-  depth_of_cut,
-  questions,
-  clamped,
-  threshold_weight,
-  averaging_time,
-  window_angle,
-  pulse_width_factor,
-  seed,
-  combine,
-  amplitude_fit,
-  variable_count
+  rotation,             ///< input [rad/s]
+  rate_of_penetration,  ///< input [m/s]
+  weight_on_bit,        ///< input [N]
+  torque,               ///< output [N m]
+  axial_force,          ///< output [N]
+  angle,                ///< output [rad]
+  depth_of_cut,         ///< output [m]
+  questions,            ///< output [1]
+  clamped,              ///< output [1]
+  threshold_weight,     ///< parameter [N]
+  averaging_time,       ///< parameter [s]
+  window_angle,         ///< parameter [rad]
+  pulse_width_factor,   ///< parameter [1]
+  seed,                 ///< parameter [1]
+  combine,              ///< parameter: `Type::combine`
+  amplitude_fit,        ///< parameter: `Type::amplitude_fit`
+  variable_count        ///< how many there are
 };
 
 /// What the host does with a variable.
-enum class Causality { input, output, parameter };
-enum class Type { real, integer, combine, amplitude_fit };  ///< the last two: words, as enumerations
+enum class Causality {
+  input,     ///< sets it before a step
+  output,    ///< reads it after a step
+  parameter  ///< sets it before the first step
+};
+/// What a value is.
+enum class Type {
+  real,          ///< fmi2Real
+  integer,       ///< fmi2Integer
+  combine,       ///< fmi2Integer, a word of `Combine` as an enumeration
+  amplitude_fit  ///< fmi2Integer, a word of `AmplitudeFit` as an enumeration
+};
 
 /// One variable of the description.
 struct Variable {

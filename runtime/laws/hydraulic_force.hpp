@@ -3,7 +3,11 @@
 
 namespace bitrock::runtime {
 
-enum class JetForce { up, down };
+/// Which way the jets push the bit.
+enum class JetForce {
+  up,   ///< off the rock
+  down  ///< onto the rock
+};
 
 /// **What** Axial force of the jets on the bit, positive upwards (off the rock).
 /// **Equation** F = s dP A_0, s = +1 (up) or -1 (down).

@@ -14,6 +14,7 @@ struct RockContact {
   double damping = 1.5e5;     ///< [N s/m] c_r, 0 or more
 };
 
+/// Both of one instant.
 struct RockPush {
   double force = 0.0;  ///< [N] W: of the rock on the bit, upwards, 0 or more: the weight on bit
   double speed = 0.0;  ///< [m/s] of the face, downwards: the rate of penetration

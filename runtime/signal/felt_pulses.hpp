@@ -23,9 +23,9 @@ struct alignas(16) SawtoothCutter {
   std::size_t now = 0;     ///< of the two fours
   std::size_t lane = 0;    ///< of the next pulse, in this four
   LoadWeights weights;     ///< of its force in the load on the bit
-  std::array<SawtoothLaw, windows_kept> laws{};
-  CellDraw draw;                      ///< the cell it is in
-  std::array<DrawnPulses, 2> four{};  ///< the next pulses, and those that come then
+  std::array<SawtoothLaw, windows_kept> laws{};  ///< of each window that is kept, in its `place_of`
+  CellDraw draw;                                 ///< the cell it is in
+  std::array<DrawnPulses, 2> four{};             ///< the next pulses, and those that come then
 };
 
 /// What is in the blocks: all pulses felt at angles of this range, and others that are over or have not begun.
@@ -60,6 +60,7 @@ inline void forget(FeltPulses& felt) {
 void follow(FeltPulses& felt, PulseBlock* blocks, std::span<SawtoothCutter> cutters, double window_angle,
             std::int64_t window, double angle);
 
+/// Of the four, modulo 2^64.
 BITROCK_INTO_BOTH std::uint64_t sum(const UnsignedWords& words) {
   return (words[0] + words[1]) + (words[2] + words[3]);
 }

@@ -13,6 +13,7 @@ struct ForceMoments {
   double short_correlation_length = 0.0;  ///< [m] the same for 3/4
   double xy_correlation = 0.0;            ///< [1] Pearson's, of x and y
 
+  /// Bit by bit.
   bool operator==(const ForceMoments&) const = default;
 };
 

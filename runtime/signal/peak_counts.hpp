@@ -19,13 +19,18 @@ struct WindowKey {
 };
 
 /// What a draw is for. Both force components use the same draws: their peaks coincide.
-enum class DrawStream : std::uint64_t { angle, amplitude, count };
+enum class DrawStream : std::uint64_t {
+  angle,      ///< where a peak stands in its window
+  amplitude,  ///< how high it is within its band
+  count       ///< how many peaks the window has
+};
 
 /// Uniform in [0, 1).
 inline double draw(const WindowKey& key, int peak, DrawStream stream) {
   return base::keyed_uniform(key.seed, key.cutter, key.window, peak, static_cast<std::uint64_t>(stream));
 }
 
+/// Peaks of one window and component, by bands of their height.
 struct PeakCounts {
   int n1 = 0;           ///< 75 % to 100 % of amax
   int n23 = 0;          ///< 25 % to 75 %

@@ -7,11 +7,10 @@
 namespace bitrock::runtime {
 
 struct CutterStatistics {
-  peaks::PeakRates x;  ///< cutting direction, resistance positive
-  peaks::PeakRates y;  ///< axial direction, push out of the rock positive
-  /// [1] Pulse width factor f of each component; below 0: that of the settings.
-  double x_width = -1.0;
-  double y_width = -1.0;
+  peaks::PeakRates x;     ///< cutting direction, resistance positive
+  peaks::PeakRates y;     ///< axial direction, push out of the rock positive
+  double x_width = -1.0;  ///< [1] pulse width factor f of x; below 0: that of the settings
+  double y_width = -1.0;  ///< [1] the same of y
 
   /// Bit by bit.
   bool operator==(const CutterStatistics&) const = default;

@@ -26,6 +26,7 @@ struct Peak {
   double y = 0.0;      ///< [N/m]
 };
 
+/// The peaks of one window, and what came of the wishes for each component.
 struct PeakWindow {
   FixedList<Peak, largest_peak_count> peaks;  ///< highest of x first, then by bands of x
   ComponentDraw x;                            ///< cutting direction

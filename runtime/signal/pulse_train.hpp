@@ -33,6 +33,7 @@ struct Pulse {
 /// Those of three windows: the one that is cut, the one before and the one after it.
 inline constexpr std::size_t most_pulses = std::size_t{3} * largest_peak_count;
 
+/// Pulses of three windows, and which of them are felt now.
 struct PulseTrain {
   FixedList<Pulse, most_pulses> pulses;  ///< ascending begin
   FixedList<std::uint16_t, most_pulses>

@@ -44,6 +44,7 @@ struct RiseLengths {
   bool clamped = false;   ///< l_s / l lies outside the table
 };
 
+/// One row of the table.
 struct RiseRow {
   double exponent;  ///< p
   double ratio;     ///< l_s / l
@@ -55,6 +56,7 @@ inline constexpr int highest_power = 2;  ///< n at most [1]
 /// Means of w^k: k! (1 - e^-6 sum over j <= k of 6^j / j!) / (1 - e^-6).
 inline constexpr std::array<double, 4> mean_powers{1.0, 0.9850905300589324, 1.88072424047146, 5.105431803535949};
 
+/// Falling in l_s / l, rising in p by 0.1; from tests/validation/rise_lengths.py.
 inline constexpr std::array<RiseRow, 26> rise_table{
     {{0.0, 0.452245, 2.466225}, {0.1, 0.451016, 2.465695}, {0.2, 0.447683, 2.457934}, {0.3, 0.442015, 2.440894},
      {0.4, 0.433005, 2.408337}, {0.5, 0.418762, 2.348689}, {0.6, 0.397136, 2.247647}, {0.7, 0.369697, 2.109010},

@@ -45,6 +45,7 @@ struct CellDraw {
   double last = 0.0;              ///< [rad] beginning of the pulse drawn last
 };
 
+/// Four pulses that follow each other.
 struct DrawnPulses {
   FourNumbers begin;  ///< [rad] at or beyond the end of the cell: no pulse
   PulseBlock pulses;  ///< in the same order

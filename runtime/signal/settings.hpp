@@ -25,7 +25,9 @@ enum class SignalMode {
   sawtooth,         ///< events of mean, standard deviation and correlation lengths; see `sawtooth_law.hpp`
 };
 
+/// What a bit file says of the signal.
 struct SignalSettings {
+  /// `automatic` is decided once the model is known: a core takes one of the others.
   SignalMode mode = SignalMode::automatic;
   double window_angle = 0.0;        ///< [rad] theta_T, above 0
   double pulse_width_factor = 1.0;  ///< [1] f, above 0 and at most 2: pulses reach no further than one window away

@@ -10,6 +10,7 @@
 #if defined(__x86_64__) && !defined(_WIN32)
 #define BITROCK_WIDE __attribute__((target("avx2")))
 #endif
+/// Of a function that goes into both.
 #define BITROCK_INTO_BOTH inline __attribute__((always_inline))
 
 namespace bitrock::runtime {

@@ -13,8 +13,10 @@ namespace bitrock::runtime {
 inline constexpr int windows_kept = 4;
 static_assert((windows_kept & (windows_kept - 1)) == 0, "place_of masks");
 
+/// Number of no window: of an empty place, and before the first one is entered.
 inline constexpr std::int64_t no_window = std::numeric_limits<std::int64_t>::min();
 
+/// Where a window is kept, negative numbers too: below `windows_kept`.
 inline std::size_t place_of(std::int64_t window) {
   return static_cast<std::size_t>(window & (windows_kept - 1));
 }

@@ -12,8 +12,8 @@ namespace bitrock::studies {
 
 /// The calibrated rock on specimens that the calibration has not seen.
 struct FreshSpecimens {
-  std::vector<int> seeds;
-  Evaluation result;
+  std::vector<int> seeds;  ///< of these specimens
+  Evaluation result;       ///< with the best micro-parameters
 };
 
 /// How far a mean over about ten fresh specimens may be from the target, in the measure of `error_of`: twice to three

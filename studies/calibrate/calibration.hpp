@@ -32,14 +32,16 @@ namespace bitrock::studies {
 /// Tests these micro-parameters on the first `seeds` specimens. May throw `SimulationError` when they cannot be tested.
 using Evaluate = std::function<Evaluation(const Micro& micro, int seeds)>;
 
+/// What a search has found.
 struct Calibration {
-  SearchEnd end = SearchEnd::out_of_budget;
-  Evaluation best;                      ///< the nearest of the last stage
-  std::vector<Evaluation> evaluations;  ///< all, in order; a failed one has measured nothing
-  std::vector<std::string> failures;    ///< why evaluations failed
-  std::vector<std::string> limits;      ///< "stiffness ratio 10 is the largest allowed", when out of reach
+  SearchEnd end = SearchEnd::out_of_budget;  ///< how the search ended
+  Evaluation best;                           ///< the nearest of the last stage
+  std::vector<Evaluation> evaluations;       ///< all, in order; a failed one has measured nothing
+  std::vector<std::string> failures;         ///< why evaluations failed
+  std::vector<std::string> limits;           ///< "stiffness ratio 10 is the largest allowed", when out of reach
 };
 
+/// What a user may allow a search to do.
 struct CalibrationChoices {
   bool friction = false;  ///< may change the friction of broken elements, when cohesion alone cannot give UCS
 };
@@ -47,6 +49,8 @@ struct CalibrationChoices {
 /// Told after each evaluation; may be empty.
 using OnEvaluation = std::function<void(const Evaluation&, int number)>;
 
+/// Evaluates at most as often as the settings of the target allow. Throws `SimulationError` when the start rock cannot
+/// be tested, or, on all specimens, what the coarse search has found.
 Calibration calibrate(const CalibrationTarget& target, const CalibrationChoices& choices, const Evaluate& evaluate,
                       const OnEvaluation& on_evaluation = {});
 

@@ -13,6 +13,7 @@ struct CalibrationCost {
   double core_seconds_per_specimen = 0.0;  ///< all tests of it, without packing
   double core_seconds = 0.0;               ///< of the usual evaluations
 };
+/// Of the usual number of evaluations, none of which is in a journal yet.
 CalibrationCost cost_of(const CalibrationTarget& target);
 
 /// On the clock, with this many cores [min].

@@ -17,16 +17,18 @@
 
 namespace bitrock::studies {
 
+/// One laboratory test: a row of the table.
 struct TestRecord {
-  dem2d::LabTest test = dem2d::LabTest::ucs;
-  int seed = 0;
-  Micro micro{};
-  double peak_stress = 0.0;     ///< [Pa]
-  double youngs_modulus = 0.0;  ///< [Pa]
-  double poissons_ratio = 0.0;  ///< [1]
-  double wall_time = 0.0;       ///< [s]
+  dem2d::LabTest test = dem2d::LabTest::ucs;  ///< ucs or tension
+  int seed = 0;                               ///< of the specimen
+  Micro micro{};                              ///< of its joints
+  double peak_stress = 0.0;                   ///< [Pa]
+  double youngs_modulus = 0.0;                ///< [Pa]
+  double poissons_ratio = 0.0;                ///< [1]
+  double wall_time = 0.0;                     ///< [s]
 };
 
+/// The table in memory, and its file, which is locked as long as this lives.
 class Journal {
  public:
   /// Reads the table when it is there; an empty file is a new journal. `inputs` is a text on which all that the tests
@@ -41,7 +43,7 @@ class Journal {
   /// Keeps a record: when this returns it is on the disk. Safe to call from several threads.
   void add(const TestRecord& record);
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_; }  ///< of the table, for messages
 
   /// What was left out, for the user; empty when nothing was.
   const std::string& left_out() const { return left_out_; }

@@ -27,21 +27,24 @@ std::vector<dem2d::LabTest> tests_of(const CalibrationTarget& target);
 /// Throws `InputError` naming the start rock when the tests of this target cannot be made on its core.
 void check_tests(const CalibrationTarget& target);
 
+/// What a laboratory has done.
 struct LaboratoryCount {
   int tests = 0;              ///< run by this call of the program
   int reused = 0;             ///< found in the journal
   double core_seconds = 0.0;  ///< of the tests that were run
 };
 
+/// Keeps the specimens it has packed, and counts what it does.
 class Laboratory {
  public:
+  /// Both must outlive it. `threads`: tests at a time, 1 or more. Throws as `check_tests` does.
   Laboratory(const CalibrationTarget& target, Journal& journal, int threads);
 
   /// Means over the specimens of these seeds. Progress counts tests. Throws `SimulationError` when a test gives no
   /// strength, and `Interrupted` when the user stopped; tests that ended before are in the journal.
   Evaluation evaluate(const Micro& micro, const std::vector<int>& seeds, const base::ProgressCallback& progress = {});
 
-  const LaboratoryCount& count() const { return count_; }
+  const LaboratoryCount& count() const { return count_; }  ///< since it was made
 
  private:
   void pack(const std::vector<int>& seeds);

@@ -17,9 +17,16 @@
 
 namespace bitrock::studies {
 
-enum class Property { ucs, tensile_strength, youngs_modulus, poissons_ratio };
-inline constexpr int property_count = 4;
+/// The laboratory numbers.
+enum class Property {
+  ucs,               ///< uniaxial compressive strength [Pa]
+  tensile_strength,  ///< in direct tension [Pa]
+  youngs_modulus,    ///< E in direct tension [Pa]
+  poissons_ratio     ///< nu in direct tension [1]
+};
+inline constexpr int property_count = 4;  ///< how many there are
 
+/// Something of each, in this order.
 template <class Value>
 using PerProperty = std::array<Value, property_count>;
 
@@ -32,23 +39,33 @@ struct PropertyWords {
   double si_per_unit;   ///< SI value = written value * si_per_unit
   bool relative_error;  ///< true: judged in percent; false: by the plain difference
 };
+/// They live as long as the program.
 const PropertyWords& words_of(Property property);
 
-enum class MicroParameter { effective_modulus, stiffness_ratio, tensile_strength, cohesion, friction };
-inline constexpr int micro_count = 5;
+/// Numbers of a rock file that a search may change; all are of its [flat_joints].
+enum class MicroParameter {
+  effective_modulus,  ///< E* [Pa]
+  stiffness_ratio,    ///< kappa, normal over shear [1]
+  tensile_strength,   ///< mean over the joints [Pa]
+  cohesion,           ///< mean over the joints [Pa]
+  friction            ///< of broken elements [1]
+};
+inline constexpr int micro_count = 5;  ///< how many there are
 
 /// SI values: E* [Pa], kappa [1], tensile strength [Pa], cohesion [Pa], friction coefficient of broken elements [1].
 using Micro = std::array<double, micro_count>;
 
 /// Key of the rock file without its section, and the factor of its unit.
 struct MicroWords {
-  const char* key;
-  const char* name;
-  const char* unit;
-  double si_per_unit;
+  const char* key;     ///< in rock files, ends in its unit
+  const char* name;    ///< for people, without unit
+  const char* unit;    ///< "GPa"; empty for a plain number
+  double si_per_unit;  ///< SI value = written value * si_per_unit
 };
+/// They live as long as the program.
 const MicroWords& words_of(MicroParameter parameter);
 
+/// Those that the rock has now.
 Micro micro_of(const dem2d::Rock& rock);
 
 /// The rock with these micro-parameters. What belongs to a changed one goes with it in proportion: the modulus, ratio
@@ -58,8 +75,9 @@ dem2d::Rock with_micro(const dem2d::Rock& rock, const Micro& micro);
 
 /// What a rock file allows of the parameter, in SI.
 struct MicroLimits {
-  double low, high;
+  double low, high;  ///< both allowed
 };
+/// As the reader of rock files checks it (dem2d/specimen/rock.hpp).
 MicroLimits limits_of(MicroParameter parameter);
 
 /// The parameter rounded to four digits of its file unit, so that a rock file holds exactly what was tested.
@@ -73,20 +91,24 @@ double error_of(Property property, double value, double wanted);
 
 /// Mean and scatter over the seeds of each number; `count` is 0 for a number that was not measured.
 struct Evaluation {
-  Micro micro{};
+  Micro micro{};                        ///< that were tested
   PerProperty<base::Summary> measured;  ///< [Pa], [Pa], [Pa], [1]
   std::string failure;                  ///< why nothing was measured; empty when it was
 };
 
+/// Its place in `PerProperty`.
 inline std::size_t index_of(Property property) {
   return static_cast<std::size_t>(property);
 }
+/// Its place in `Micro`.
 inline std::size_t index_of(MicroParameter parameter) {
   return static_cast<std::size_t>(parameter);
 }
 
+/// In the order of `PerProperty`.
 inline constexpr std::array all_properties{Property::ucs, Property::tensile_strength, Property::youngs_modulus,
                                            Property::poissons_ratio};
+/// In the order of `Micro`.
 inline constexpr std::array all_micro_parameters{MicroParameter::effective_modulus, MicroParameter::stiffness_ratio,
                                                  MicroParameter::tensile_strength, MicroParameter::cohesion,
                                                  MicroParameter::friction};

@@ -35,6 +35,7 @@
 
 namespace bitrock::studies {
 
+/// What is sought, and what is known of it beforehand.
 struct RootProblem {
   Eigen::VectorXd start, low, high;     ///< of x; start within the limits
   Eigen::VectorXd largest_step;         ///< of x, for r = 1
@@ -45,18 +46,20 @@ struct RootProblem {
   Eigen::MatrixXd slope, slope_spread;  ///< J0 and P: one row a y, one column an x
 };
 
+/// One measurement of y at x.
 struct RootMeasurement {
   Eigen::VectorXd x;      ///< where it was made: may differ a little from where it was asked for
   Eigen::VectorXd y;      ///< empty when the measurement failed
   Eigen::VectorXd noise;  ///< standard error of y
 };
 
+/// How a search ended, and what another one can begin with.
 struct RootResult {
-  SearchEnd end = SearchEnd::out_of_budget;
-  int best = 0;  ///< index of the best measurement, in order of making
-  int measurements = 0;
-  Eigen::VectorXd next;    ///< the root by the fitted lines, within limits and trust region
-  Eigen::MatrixXd slope;   ///< J as fitted around the best point
+  SearchEnd end = SearchEnd::out_of_budget;  ///< see **Ends**
+  int best = 0;                              ///< index of the best measurement, in order of making
+  int measurements = 0;                      ///< made in all, failed ones among them
+  Eigen::VectorXd next;                      ///< the root by the fitted lines, within limits and trust region
+  Eigen::MatrixXd slope;                     ///< J as fitted around the best point
   std::vector<int> limit;  ///< of each x: -1 or +1 when the fitted lines ask for less or more than is allowed
 };
 

@@ -4,7 +4,7 @@
 namespace bitrock::studies {
 
 enum class SearchEnd {
-  reached,
+  reached,       ///< all that is wanted, within tolerance
   out_of_reach,  ///< nothing within the limits of the unknowns comes nearer
   stalled,       ///< several measurements in a row came no nearer
   out_of_budget  ///< as many measurements as allowed were made

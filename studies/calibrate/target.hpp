@@ -11,8 +11,9 @@
 
 namespace bitrock::studies {
 
+/// How hard to try: [calibration] of the file.
 struct CalibrationSettings {
-  int first_seed = 1;
+  int first_seed = 1;                       ///< of the first specimen, 0 or more
   int seeds = 12;                           ///< specimens whose means are fitted: first_seed, first_seed + 1, ...
   int scouting_seeds = 4;                   ///< of them in the first, coarse search
   int most_evaluations = 16;                ///< budget: sets of micro-parameters tested
@@ -20,21 +21,24 @@ struct CalibrationSettings {
   double poissons_ratio_tolerance = 0.005;  ///< [1]
 };
 
+/// A target file that was read, with the rock it starts from.
 struct CalibrationTarget {
-  std::string name;
-  PerProperty<double> wanted{};  ///< [Pa], [Pa], [Pa], [1]; 0: not given
-  std::filesystem::path rock_file;
-  dem2d::Rock start;
-  CalibrationSettings settings;
+  std::string name;                 ///< that the calibrated rock will have
+  PerProperty<double> wanted{};     ///< [Pa], [Pa], [Pa], [1]; 0: not given
+  std::filesystem::path rock_file;  ///< where the search starts; found from the folder of the target
+  dem2d::Rock start;                ///< what is in `rock_file`
+  CalibrationSettings settings;     ///< how hard to try
 };
 
+/// Whether the target gives this number.
 bool is_wanted(const CalibrationTarget& target, Property property);
 
 /// How far a mean over the seeds may be from the target, in the measure of `error_of`.
 double tolerance_of(const CalibrationTarget& target, Property property);
 
-/// Whether this test has anything to measure: tension gives the tensile strength, E and nu.
+/// Whether compression has anything to measure: UCS.
 bool needs_compression(const CalibrationTarget& target);
+/// Whether tension has anything to measure: tensile strength, E or nu.
 bool needs_tension(const CalibrationTarget& target);
 
 /// What is allowed but out of reach of bonded discs in two dimensions, or hardly wanted, in words.
@@ -42,6 +46,7 @@ std::vector<std::string> warnings(const CalibrationTarget& target);
 
 /// Reads and checks the target and its start rock; throws `base::InputError` with file, line and key.
 CalibrationTarget read_target(const std::filesystem::path& path);
+/// The same of a text; `name` stands for the file in messages and gives the folder of the rock file.
 CalibrationTarget parse_target(const std::string& text, const std::string& name);
 /// What people are told of the keys of a target file.
 std::vector<base::KeyRow> target_keys();

@@ -20,6 +20,7 @@ struct Accepted {
   std::vector<std::string> warnings;        ///< rows of one hash with differing numbers
 };
 
+/// Neither rows nor forces; strangers do not count.
 bool is_empty(const Accepted& accepted);
 
 /// What is known of the cut with this hash beside its forces; null when there is none.
@@ -38,6 +39,7 @@ struct Acceptance {
   int added = 0;  ///< that were not kept yet
   Accepted all;   ///< that the folder keeps now; strangers and warnings are those of this file
 };
+/// Waits while another program adds to the folder. Throws as `accept` does.
 Acceptance keep_accepted(const Study& study, const std::filesystem::path& folder, const std::filesystem::path& table);
 
 }  // namespace bitrock::studies

@@ -12,8 +12,9 @@
 
 namespace bitrock::studies {
 
+/// One cut: its conditions, and what came of it.
 struct FeatureRow {
-  int case_number = 0, seed = 0;
+  int case_number = 0, seed = 0;                                    ///< of its study, from 1; of the rock
   double cutter_speed = 0.0, depth_of_cut = 0.0, back_rake = 0.0;   ///< [m/s], [m], [rad]
   double cut_length = 0.0, duration = 0.0;                          ///< [m], [s]
   peaks::PeakStatistics x, y;                                       ///< heights in N/m
@@ -23,11 +24,11 @@ struct FeatureRow {
   double xy_correlation = 0.0;                                      ///< of the two components [1]
   double low_share_x = 0.0, low_share_y = 0.0;                      ///< of the way, force at most 0.1 of its mean [1]
   int chips = 0;                                                    ///< dem2d/cut/chips.hpp
-  int cracks_tensile = 0, cracks_shear = 0;
-  double energy_residual_fraction = 0.0;  ///< what the energy ledger cannot find, over the cutter's work [1]
-  double energy_injected_fraction = 0.0;  ///< what the scheme gave to the rock, over the cutter's work [1]
-  int discs = 0;
-  double step = 0.0;                 ///< [s]
+  int cracks_tensile = 0, cracks_shear = 0;  ///< elements broken in tension, in shear, the run-in included
+  double energy_residual_fraction = 0.0;     ///< what the energy ledger cannot find, over the cutter's work [1]
+  double energy_injected_fraction = 0.0;     ///< what the scheme gave to the rock, over the cutter's work [1]
+  int discs = 0;                             ///< at the start
+  double step = 0.0;                         ///< [s]
   double core_time = 0.0;            ///< that the cut took on one core; the only number that depends on the machine [s]
   double sampling = 0.0;             ///< travel between samples of the force [m]
   peaks::PeakDefinition definition;  ///< of the peaks
@@ -37,6 +38,7 @@ struct FeatureRow {
 
 /// What is known of a cut beside its forces.
 FeatureRow row_of(const Job& job, const dem2d::CutRun& run);
+/// All of it.
 FeatureRow row_of(const Job& job, const dem2d::CutRun& run, const peaks::PeakDefinition& definition);
 
 /// All that follows from the force histories [N/m] and the length of the cut. Histories are not empty.
@@ -58,9 +60,10 @@ std::string features_csv(const std::vector<FeatureRow>& rows);
 /// Rows of such a table, and the line of each. Throws `base::InputError` with file, line and column for a missing
 /// column and for a value that no cut can have given.
 struct FeatureTable {
-  std::vector<FeatureRow> rows;
-  std::vector<int> lines;
+  std::vector<FeatureRow> rows;  ///< in the order of the file
+  std::vector<int> lines;        ///< of each row, from 1
 };
+/// Needs all columns of `features_csv` but those that older tables lack.
 FeatureTable read_features(const std::filesystem::path& path);
 
 /// One row a case: number of seeds, mean over the seeds of each number, and standard errors of statistics and mean

@@ -31,12 +31,14 @@ std::filesystem::path study_in(const std::filesystem::path& folder);
 /// Makes what is missing. Throws `base::InputError` when the folder belongs to another study or cannot be written.
 void open_folder(const Study& study, const std::filesystem::path& folder);
 
-std::string job_name(const Job& job);
-std::string job_hash(const Job& job);
+std::string job_name(const Job& job);  ///< "case_007_seed_1"
+std::string job_hash(const Job& job);  ///< of case, rock, seed and physics (`dem2d::cut_hash`)
+/// The files of a job, whether or not they are there: its run, its record while it is under way, why it failed, the
+/// rock it is cut in.
 std::filesystem::path run_path(const std::filesystem::path& folder, const Job& job);
-std::filesystem::path running_path(const std::filesystem::path& folder, const Job& job);
-std::filesystem::path failure_path(const std::filesystem::path& folder, const Job& job);
-std::filesystem::path rock_path(const std::filesystem::path& folder, const Job& job);
+std::filesystem::path running_path(const std::filesystem::path& folder, const Job& job);  ///< of a `RunningRecord`
+std::filesystem::path failure_path(const std::filesystem::path& folder, const Job& job);  ///< of a reason in words
+std::filesystem::path rock_path(const std::filesystem::path& folder, const Job& job);     ///< of a specimen
 
 /// What a folder holds, read at once: a study may have a million jobs, of which hardly any has left something in it.
 std::unordered_set<std::string> file_names(const std::filesystem::path& folder);
@@ -46,12 +48,13 @@ std::optional<dem2d::RunFile> finished_run(const std::filesystem::path& folder, 
 
 /// A cut under way, as its runner tells it.
 struct RunningRecord {
-  std::string host;
-  int pid = 0;
+  std::string host;         ///< name of the machine
+  int pid = 0;              ///< of the process on it
   double started = 0.0;     ///< since 1970 [s]
   double share_done = 0.0;  ///< [1]
 };
 
+/// Written whole, in place of the one before. Throws `OutputError`.
 void write_record(const RunningRecord& record, const std::filesystem::path& path);
 
 /// The record of a job that somebody holds now; empty otherwise, whatever a killed runner has left there.

@@ -18,15 +18,17 @@ struct CutForces {
   std::vector<float> x, y;  ///< resistance to cutting, push out of the rock; of equal length, not empty [N/m]
 };
 
+/// What the file holds.
 struct ForcesFile {
-  std::string study;           ///< name of the study file without folder, or empty
-  double mean_diameter = 0.0;  ///< of the grains [m]
-  std::vector<CutForces> cuts;
+  std::string study;            ///< name of the study file without folder, or empty
+  double mean_diameter = 0.0;   ///< of the grains [m]
+  std::vector<CutForces> cuts;  ///< none twice
 };
 
 /// The most samples of all cuts together that are written into one file: 2 GB of memory while it is made.
 inline constexpr double most_samples = 1e8;
 
+/// Of a run that was finished.
 CutForces forces_of(const Job& job, const dem2d::CutRun& run);
 
 /// Cuts in the order given. Throws `OutputError` when the file cannot be written.

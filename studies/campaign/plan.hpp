@@ -28,6 +28,7 @@ struct PlanPart {
   double core_time = 0.0;                                       ///< [s]
 };
 
+/// What is done, what is left to do, and what that will cost.
 struct Plan {
   int cases = 0, jobs = 0;    ///< jobs: cases times seeds
   int done = 0;               ///< of the jobs: finished or accepted in the folder
@@ -37,9 +38,9 @@ struct Plan {
   double core_seconds = 0.0;  ///< spent on the jobs that are done [s]
 
   // of the jobs that are not done
-  double most_discs = 0.0;  ///< in one bed
-  double steps = 0.0;
-  double disc_steps = 0.0;
+  double most_discs = 0.0;      ///< in one bed
+  double steps = 0.0;           ///< of all cuts together
+  double disc_steps = 0.0;      ///< sum over the cuts of steps times discs
   double core_time = 0.0;       ///< [s]
   double longest_cut = 0.0;     ///< core time of the one that takes longest [s]
   std::vector<PlanPart> parts;  ///< by depth

@@ -15,8 +15,8 @@ namespace bitrock::studies {
 
 /// Told after each job, one call at a time.
 struct JobReport {
-  const Job* job = nullptr;
-  bool failed = false;
+  const Job* job = nullptr;     ///< only during the call
+  bool failed = false;          ///< recorded in the folder
   bool elsewhere = false;       ///< another runner has done it meanwhile
   std::string message;          ///< why it failed
   double wall_time = 0.0;       ///< [s]
@@ -24,8 +24,9 @@ struct JobReport {
   double time_left = 0.0;       ///< of this call, estimated [s]
 };
 
+/// How a call of `run` works; none of it changes a result.
 struct RunOptions {
-  int workers = 1;
+  int workers = 1;                                   ///< cuts at a time, 1 or more
   int shard = 1, shards = 1;                         ///< this call takes jobs number shard, shard + shards, ...
   std::function<void(const JobReport&)> on_job;      ///< may be empty
   std::function<void(const std::string&)> on_stage;  ///< "making the rock of seed 1, ...", ...; may be empty

@@ -18,6 +18,7 @@ namespace bitrock::studies {
 /// Highest number of tasks: Slurm's MaxArraySize is 1001 unless the administrator has changed it.
 inline constexpr int most_tasks = 1000;
 
+/// What is asked of the cluster.
 struct SlurmOptions {
   int tasks = 0;           ///< 0: one a job, as many as there may be
   std::string time_limit;  ///< of a task, HH:MM:SS; empty: that of the partition
@@ -31,9 +32,10 @@ double seconds_of(const std::string& time_limit);
 /// What a limit of time does to cuts that are to be made, in words; empty where all tasks end before it.
 std::vector<std::string> warnings(const Plan& plan, const SlurmOptions& options, int tasks);
 
+/// Scripts that were written.
 struct SlurmScripts {
-  std::filesystem::path array, collect;
-  int tasks = 0;
+  std::filesystem::path array, collect;  ///< array.sh, collect.sh; absolute
+  int tasks = 0;                         ///< of the array, at most one a cut
 };
 
 /// Writes DIR/slurm/array.sh and collect.sh; the folder must hold its study (`open_folder`). Throws `base::InputError`
@@ -43,7 +45,7 @@ SlurmScripts write_slurm_scripts(const Study& study, const std::filesystem::path
 
 /// Numbers that Slurm gave the two jobs.
 struct SlurmJobs {
-  std::string array, collect;
+  std::string array, collect;  ///< of array.sh, of collect.sh
 };
 
 /// Throws `base::InputError` with the words of sbatch when it refuses, or is not there.

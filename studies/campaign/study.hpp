@@ -46,20 +46,21 @@ struct ByDepth {
   double fine_bed_least = 0.0;                                   ///< where the bed is graded [m]
 };
 
+/// A study that was read and checked.
 struct Study {
   dem2d::CutCase common;   ///< speed, depth and rake, and what `by_depth` sizes, are filled in case by case
   std::string table_file;  ///< as written, relative to the study; empty where the cases stand in the study itself
-  Grid grid;
-  Table table;  ///< empty: the cases are those of the grid
-  std::optional<ByDepth> by_depth;
-  std::vector<int> seeds{1};
+  Grid grid;               ///< empty where there is a table
+  Table table;             ///< empty: the cases are those of the grid
+  std::optional<ByDepth> by_depth;  ///< sizes of cut and bed; none: those of `common`
+  std::vector<int> seeds{1};        ///< of the rocks; every case is cut with each
 };
 
 /// One cut to be made.
 struct Job {
   int case_number = 0;  ///< from 1, in the order of the table; of a grid: speed slowest, then depth, then rake
-  int seed = 0;
-  dem2d::CutCase cut;
+  int seed = 0;         ///< of the rock
+  dem2d::CutCase cut;   ///< of this case: speed, depth, rake and all sizes
 };
 
 /// The most cuts of a study, cases times seeds. A cut of campaigns/paper240.toml takes a core some 42 s (`bitrock
@@ -78,6 +79,7 @@ std::string resolved_toml(const Study& study);
 /// The same, read back to the same bits: a study that needs no other file.
 std::string exact_toml(const Study& study);
 
+/// Cases times seeds; at most `most_jobs`.
 int count_jobs(const Study& study);
 
 /// Of the grains [m].

@@ -15,26 +15,27 @@
 
 namespace bitrock::studies {
 
+/// As files and tables have them; the networks first, to whose mean and RMS the others are matched.
 inline constexpr std::array<const char*, 3> source_names{"networks", "sinusoidal", "noise"};
 
 /// Mean and RMS of a simple source that lie farther from those of the networks [1] do not compare on equal terms.
 inline constexpr double allowed_mismatch = 0.01;
 
 struct Comparison {
-  runtime::DrillCase drill;  ///< whose source is the bit
-  runtime::DrillString string;
-  std::optional<surrogate::Model> model;
-  std::string model_fingerprint;
-  std::vector<int> seeds;        ///< of the excitation
-  std::filesystem::path folder;  ///< where the runs go
+  runtime::DrillCase drill;               ///< whose source is the bit
+  runtime::DrillString string;            ///< assembled from `drill`
+  std::optional<surrogate::Model> model;  ///< the networks of the bit
+  std::string model_fingerprint;          ///< of the model file; kept in the file of each run
+  std::vector<int> seeds;                 ///< of the excitation
+  std::filesystem::path folder;           ///< where the runs go
 };
 
 /// One run of one source.
 struct ComparedRun {
-  int seed = 0;
-  runtime::DrillSummary summary;
-  runtime::DrillCondition condition;
-  double mismatch = 0.0;  ///< [1] of mean and RMS against the networks' run of the same seed
+  int seed = 0;                       ///< of the excitation
+  runtime::DrillSummary summary;      ///< of the steps after the settling time
+  runtime::DrillCondition condition;  ///< what the summary shows, at the speed of the drive
+  double mismatch = 0.0;              ///< [1] of mean and RMS against the networks' run of the same seed
 };
 
 /// Number of runs: a source and a seed each.

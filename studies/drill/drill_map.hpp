@@ -13,22 +13,24 @@
 namespace bitrock::studies {
 
 struct DrillMap {
-  runtime::DrillCase drill;
-  std::optional<surrogate::Model> model;
-  std::vector<double> hook_loads_kN;
-  std::vector<double> rotations_rpm;
-  std::vector<int> seeds;  ///< of the excitation
+  runtime::DrillCase drill;               ///< all but hook load, speed and seed; its drive imposes speed
+  std::optional<surrogate::Model> model;  ///< the networks, where the source is a bit
+  std::vector<double> hook_loads_kN;      ///< [kN] one row of points each
+  std::vector<double> rotations_rpm;      ///< [rpm] of the top drive
+  std::vector<int> seeds;                 ///< of the excitation
 };
 
 /// Number of runs: a hook load, a speed and a seed each.
 int runs_of(const DrillMap& map);
 
+/// One run: what was set, and what came of it.
 struct MapPoint {
-  double hook_load_kN = 0.0, rotation_rpm = 0.0;
-  int seed = 0;
-  double static_weight = 0.0, steady_limit = 0.0;  ///< [N]
-  std::optional<runtime::DrillSummary> summary;    ///< none where the run failed
-  std::string status = "not run";                  ///< then "ok", or the reason of the failure, without commas
+  double hook_load_kN = 0.0, rotation_rpm = 0.0;  ///< [kN], [rpm]
+  int seed = 0;                                   ///< of the excitation
+  /// Weight on bit when nothing moves, and `runtime::steady_weight_limit` at this speed [N].
+  double static_weight = 0.0, steady_limit = 0.0;
+  std::optional<runtime::DrillSummary> summary;  ///< none where the run failed
+  std::string status = "not run";                ///< then "ok", or the reason of the failure, without commas
 };
 
 /// Throws `InputError` when the case cannot be mapped: it has no axial chain, imposes a torque, has an unstable step or
@@ -49,10 +51,12 @@ std::vector<double> severities(const DrillMap& map, const std::vector<MapPoint>&
 
 /// What was seen, in numbers of runs.
 struct MapTally {
+  /// Without a summary; what `runtime::condition` says of the others: one of these, both of the last two, or nothing.
   int failed = 0, steady = 0, stick_slip = 0, bit_bounce = 0;
   int overloaded = 0;          ///< static weight on bit above what the bit bears (`runtime::most_weight_on_bit`)
   runtime::ClampTally clamps;  ///< of all runs together
 };
+/// Counts the points, all of which have been run.
 MapTally tally_of(const DrillMap& map, const std::vector<MapPoint>& points);
 
 /// What to look at in a map of so many runs: failed ones, and more weight on bit than the bit bears.

@@ -16,6 +16,7 @@ struct StringOutlook {
   std::optional<runtime::Steadiness> steady;  ///< as it is driven; none where that is not known
   double longest_stable_step = 0.0;           ///< [s]
 };
+/// `string` is `drill` assembled.
 StringOutlook outlook(const runtime::DrillCase& drill, const runtime::DrillString& string);
 
 /// What a run will be.
@@ -25,6 +26,7 @@ struct DrillPlan {
   double longest_stable_step = 0.0;  ///< [s]
   double steps = 0.0;                ///< in all
 };
+/// `string` is `drill` assembled.
 DrillPlan plan(const runtime::DrillCase& drill, const runtime::DrillString& string);
 
 }  // namespace bitrock::studies

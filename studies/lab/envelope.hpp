@@ -32,10 +32,11 @@ struct Envelope {
 
 /// A constant of the line, its name in JSON and Python, and the unit of that name.
 struct EnvelopeQuantity {
-  const char* key;
-  double Envelope::*value;
-  double unit;
+  const char* key;          ///< ends in its unit
+  double Envelope::*value;  ///< in SI
+  double unit;              ///< SI value = value under the key * unit
 };
+/// In the order in which they are told.
 inline constexpr EnvelopeQuantity envelope_quantities[] = {{"friction_angle_deg", &Envelope::friction_angle, base::deg},
                                                            {"cohesion_Pa", &Envelope::cohesion, 1.0},
                                                            {"strength_at_zero_Pa", &Envelope::strength_at_zero, 1.0},
@@ -46,12 +47,13 @@ Envelope fit_envelope(const std::vector<const dem2d::LabRun*>& runs);
 
 /// Of all seeds that were tested at two pressures or more.
 struct EnvelopeOfSeeds {
-  std::vector<std::uint64_t> seeds;
-  std::vector<Envelope> lines;  ///< one a seed
+  std::vector<std::uint64_t> seeds;  ///< ascending, one a line
+  std::vector<Envelope> lines;       ///< one a seed
 
-  bool empty() const { return lines.empty(); }
+  bool empty() const { return lines.empty(); }       ///< no seed was tested at two pressures
   base::Summary of(double Envelope::*member) const;  ///< over the seeds
 };
+/// Of tests in any order; a seed that was tested at one pressure alone is left out.
 EnvelopeOfSeeds envelope_of(const std::vector<dem2d::LabRun>& runs);
 
 }  // namespace bitrock::studies

@@ -18,19 +18,19 @@ namespace bitrock::studies {
 
 /// What is tested: the cores and the settings, complete.
 struct LabSeries {
-  dem2d::LabTest test = dem2d::LabTest::ucs;
-  dem2d::Rock rock;
-  dem2d::LabSettings settings;
-  std::vector<std::uint64_t> seeds;
-  std::vector<double> pressures{0.0};    ///< each seed is tested under each confining pressure [Pa]; triaxial only
-  std::vector<double> notches{0.0};      ///< each seed is tested with a cut of each length [m]; toughness only
-  std::optional<dem2d::Specimen> given;  ///< tested in place of cores packed here; `seeds` then holds its seed
-  bool rate_check = false;
+  dem2d::LabTest test = dem2d::LabTest::ucs;  ///< the same for all cores
+  dem2d::Rock rock;                           ///< of the cores
+  dem2d::LabSettings settings;                ///< of each test, but for pressure and cut
+  std::vector<std::uint64_t> seeds;           ///< a core each
+  std::vector<double> pressures{0.0};         ///< each seed is tested under each confining pressure [Pa]; triaxial only
+  std::vector<double> notches{0.0};           ///< each seed is tested with a cut of each length [m]; toughness only
+  std::optional<dem2d::Specimen> given;       ///< tested in place of cores packed here; `seeds` then holds its seed
+  bool rate_check = false;                    ///< each core is tested again at half the rate
 };
 
 /// A core that is tested.
 struct LabCore {
-  std::uint64_t seed;
+  std::uint64_t seed;      ///< that packed it
   double pressure, notch;  ///< [Pa], [m]
 };
 /// All of a series: pressure by pressure, cut by cut, seed by seed.
@@ -63,19 +63,21 @@ void require_all(const LabResults& results);
 
 /// What the series will cost; discs of one core.
 struct LabCost {
-  double discs = 0.0;
+  double discs = 0.0;         ///< as expected; of a given specimen, as they are
   double duration = 0.0;      ///< [s] simulated, until the expected strength; under the last of the pressures
   double core_seconds = 0.0;  ///< of all tests, without packing
 };
+/// Of a series that is complete.
 LabCost cost_of(const LabSeries& series);
 
 /// A quantity of a test whose mean and scatter are told, with its name in JSON.
 struct LabQuantity {
-  const char* key;
-  double (*of)(const dem2d::LabRun&);
+  const char* key;                     ///< ends in its unit
+  double (*of)(const dem2d::LabRun&);  ///< in the unit of the key
 };
 /// Peak stress first.
 std::span<const LabQuantity> lab_quantities();
+/// Mean and scatter over the runs, in the unit of the key.
 base::Summary summary_of(const LabQuantity& quantity, std::span<const dem2d::LabRun> runs);
 
 /// The tests of `LabResults`, those under one confining pressure and with cuts of one length together.
@@ -84,10 +86,11 @@ std::vector<std::span<const dem2d::LabRun>> by_condition(std::span<const dem2d::
 /// Halving the rate may change the mean strength by this share [1] before the rate counts as too fast.
 inline constexpr double allowed_rate_change = 0.03;
 
+/// Whether the rate of loading has a say in the strength.
 struct RateCheck {
   double mean_strength = 0.0, mean_at_half_rate = 0.0;  ///< [Pa]
   double change = 0.0;                                  ///< [1] of the mean by halving the rate
-  bool slow_enough = false;
+  bool slow_enough = false;                             ///< `change` is below `allowed_rate_change`, up or down
 };
 /// Of results with `half_rate`.
 RateCheck rate_check_of(const LabResults& results);

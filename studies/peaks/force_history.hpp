@@ -12,7 +12,7 @@
 namespace bitrock::studies {
 
 struct ForceHistory {
-  std::string column;
+  std::string column;                      ///< of the force
   std::string time_column;                 ///< empty when there is none
   std::vector<double> time;                ///< [s]; empty when there are none
   std::vector<double> force;               ///< [unit of the column]; NaN where a sample is missing
@@ -28,9 +28,9 @@ ForceHistory read_force_history(const std::string& file, const std::string& colu
 
 /// What is found in a history.
 struct ForceFindings {
-  peaks::PeakStatistics all;
-  peaks::ZeroForce zero;
-  std::vector<peaks::Part> parts;
+  peaks::PeakStatistics all;                   ///< of the whole history [unit of the column]
+  peaks::ZeroForce zero;                       ///< of the whole history
+  std::vector<peaks::Part> parts;              ///< in the order of time
   std::size_t not_a_number = 0, infinite = 0;  ///< samples that are NaN, +infinity
   double mean_period = 0.0;                    ///< without force [s]
   bool even = true;                            ///< samples are evenly spaced, as far as is known

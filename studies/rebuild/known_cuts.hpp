@@ -15,7 +15,9 @@ struct KnownCase {
   int case_number = 0;          ///< in its study; 0: a run by itself
   double mean_diameter = 0.0;   ///< of the grains [m]
   std::vector<CutForces> cuts;  ///< at least one
-  const FeatureRow& conditions() const { return cuts.front().cut; }
+  const FeatureRow& conditions() const {
+    return cuts.front().cut;
+  }  ///< of the first cut; speed, depth, rake hold for all
 };
 
 /// Travel between the samples [m].

@@ -19,7 +19,7 @@ namespace bitrock::studies {
 /// Edges of the bands [1/m]: octaves from 0.1 per mm on, the last cut off at 9 per mm, beyond which lies the ringing of
 /// grains.
 inline constexpr std::array<double, 8> octave_edges{100.0, 200.0, 400.0, 800.0, 1600.0, 3200.0, 6400.0, 9000.0};
-inline constexpr std::size_t octave_count = octave_edges.size() - 1;
+inline constexpr std::size_t octave_count = octave_edges.size() - 1;  ///< bands
 
 /// Variance in each band [unit of the signal squared]. `spacing` [m], above 0.
 std::array<double, octave_count> octave_levels(std::span<const double> signal, double spacing);

@@ -16,6 +16,7 @@
 
 namespace bitrock::studies {
 
+/// How forces are rebuilt.
 struct RebuildOptions {
   std::vector<runtime::SignalMode> modes{runtime::SignalMode::sawtooth};  ///< those a model cannot do are left out
   int draws = 64;          ///< pieces as long as the cut that are rebuilt of each case
@@ -31,17 +32,18 @@ struct RebuiltForce {
 
 /// One case, rebuilt in one way.
 struct Comparison {
-  std::size_t known = 0;    ///< number of the case among those known
-  bool from_model = false;  ///< or from the statistics of the cuts
-  runtime::SignalMode mode{};
-  Portrait rebuilt;  ///< mean over the draws
-  Likeness likeness;
+  std::size_t known = 0;              ///< number of the case among those known
+  bool from_model = false;            ///< or from the statistics of the cuts
+  runtime::SignalMode mode{};         ///< in which it was rebuilt, never `automatic`
+  Portrait rebuilt;                   ///< mean over the draws
+  Likeness likeness;                  ///< of `rebuilt` to the DEM
   runtime::DrawTally draws;           ///< what the statistics asked for and could not be had
   bool inside_training_range = true;  ///< of the model
 };
 
+/// All cases that were compared.
 struct Rebuilding {
-  std::vector<KnownCase> known;
+  std::vector<KnownCase> known;         ///< those that have a force to rebuild
   std::vector<Portrait> dem;            ///< of each case, mean over its cuts
   std::vector<Comparison> comparisons;  ///< by case, then statistics, then mode
   std::vector<std::string> left_out;    ///< cases without a force to rebuild, in words

@@ -9,7 +9,7 @@ namespace bitrock::studies {
 
 /// The command; `{}` stands for the file with the input.
 struct Again {
-  std::string command;
+  std::string command;  ///< such as "bitrock cut {} --seed 1"
   std::string besides;  ///< what the input does not hold
 };
 

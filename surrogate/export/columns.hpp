@@ -12,6 +12,7 @@
 
 namespace bitrock::surrogate {
 
+/// One input or output, in SI.
 struct Column {
   std::string name;     ///< ends in its unit
   std::string unit;     ///< "m/s", "m", "rad", "N/m", "1/m"

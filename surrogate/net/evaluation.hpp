@@ -26,7 +26,7 @@ inline constexpr int input_count = 3;            ///< speed, depth, rake
 inline constexpr int article_output_count = 10;  ///< the article's outputs, which every model has
 inline constexpr int statistics_count = 5;       ///< of these, of one direction
 inline constexpr int moment_count = 7;           ///< outputs that follow the ten, all of them or none
-inline constexpr int most_outputs = article_output_count + moment_count;
+inline constexpr int most_outputs = article_output_count + moment_count;  ///< of a model; the others have ten
 
 inline constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;  ///< one degree
 

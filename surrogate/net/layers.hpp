@@ -11,6 +11,7 @@
 
 namespace bitrock::surrogate {
 
+/// Weights as they lie in the flat vector: row after row, one row a node of the layer.
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// One layer seen inside the flat vector.

@@ -29,6 +29,7 @@ struct Variable {
   double scale = 1.0;   ///< in `unit`, above 0
 };
 
+/// The errors of one output after an epoch.
 struct LearningPoint {
   int epoch = 0;                ///< 1 is after the first pass through the training rows
   double train_mse = 0.0;       ///< mean squared error over all training rows, scaled units, weighted as in training
@@ -56,7 +57,6 @@ double to_network(const OutputModel& output, double value);
 /// The output for what the network gives; never negative, because amplitudes and counts are not.
 double from_network(const OutputModel& output, double given);
 
-/// Where a model came from: enough to train it again to the same bits.
 /// One of several tables that networks learnt from together.
 struct DataPart {
   std::string file;         ///< name without folder
@@ -64,7 +64,6 @@ struct DataPart {
   int first_case = 0;       ///< added to the case numbers of the file, so that those of all parts differ
 };
 
-/// Where a model comes from.
 /// How the peaks of a table were counted, where it says so (peaks/definition.hpp). Counts of two ways do not mix.
 struct PeakCounting {
   double smoothing_um = 0.0;     ///< length of the moving mean, applied twice
@@ -73,6 +72,7 @@ struct PeakCounting {
   double sampling_um = 0.0;      ///< without smoothing, where counts depend on it; 0 otherwise
 };
 
+/// Where a model comes from: enough to train it again to the same bits.
 struct Provenance {
   std::string data_file;                 ///< file name without folder
   std::string data_fingerprint;          ///< `base::fingerprint_text` of the file
@@ -143,6 +143,7 @@ inline bool is_count(std::size_t output) {
   return output_names[output].unit == "1/m";
 }
 
+/// The networks of one rock, and all that is needed to ask them.
 struct Model {
   std::array<Variable, input_count> inputs;  ///< in the order of `input_names`
   /// Ten or seventeen, in the order of `output_names`.
@@ -159,17 +160,17 @@ inline bool has_moments(const Model& model) {
 /// One number for each output of a model, in the order of `output_names`. Takes no memory.
 struct OutputValues {
   std::array<double, most_outputs> items{};  ///< those beyond `count` are 0
-  std::size_t count = article_output_count;
+  std::size_t count = article_output_count;  ///< or `most_outputs`
 
-  std::size_t size() const { return count; }
-  double* begin() { return items.data(); }
-  double* end() { return items.data() + count; }
-  const double* begin() const { return items.data(); }
-  const double* end() const { return items.data() + count; }
-  double& operator[](std::size_t i) { return items.data()[i]; }
-  const double& operator[](std::size_t i) const { return items.data()[i]; }
-  void fill(double value) { std::fill(begin(), end(), value); }
-  bool operator==(const OutputValues&) const = default;
+  std::size_t size() const { return count; }                                 ///< as a container has it
+  double* begin() { return items.data(); }                                   ///< first output
+  double* end() { return items.data() + count; }                             ///< behind the last output that counts
+  const double* begin() const { return items.data(); }                       ///< first output
+  const double* end() const { return items.data() + count; }                 ///< behind the last output that counts
+  double& operator[](std::size_t i) { return items.data()[i]; }              ///< not checked
+  const double& operator[](std::size_t i) const { return items.data()[i]; }  ///< not checked
+  void fill(double value) { std::fill(begin(), end(), value); }              ///< those that count
+  bool operator==(const OutputValues&) const = default;                      ///< all of `items` too
   /// Any order will do: for what is kept sorted.
   bool operator<(const OutputValues& other) const { return items < other.items; }
 };

@@ -11,8 +11,8 @@
 
 namespace bitrock::surrogate {
 
-inline constexpr const char* model_format = "bitrock-model";
-inline constexpr int model_format_version = 2;
+inline constexpr const char* model_format = "bitrock-model";  ///< value of the key `format`
+inline constexpr int model_format_version = 2;                ///< value of the key `format_version`; no other is read
 
 /// Parameters beyond this are refused. Inputs and outputs are scaled to about 1, so useful parameters are about 1 too;
 /// a million means a broken file or a training that diverged.

@@ -18,7 +18,7 @@ std::string beyond_range_in_words(const Variable& input, double low, double high
 
 /// What was asked of one input, in its unit.
 struct AskedRange {
-  double low = 0.0, high = 0.0;
+  double low = 0.0, high = 0.0;  ///< least and greatest value that was asked
 };
 using AskedRanges = std::array<AskedRange, input_count>;  ///< in the order of the inputs
 

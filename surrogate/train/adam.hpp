@@ -6,6 +6,7 @@
 
 namespace bitrock::surrogate {
 
+/// Constants of the optimiser.
 struct AdamOptions {
   double learning_rate = 1e-3;  ///< [1] alpha; the article's value and Keras' default
   double beta1 = 0.9;           ///< [1] memory of the mean gradient: about 1/(1 - beta1) steps

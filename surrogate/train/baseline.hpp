@@ -14,9 +14,10 @@
 
 namespace bitrock::surrogate {
 
+/// The formulas, fitted.
 struct Baseline {
   std::array<std::array<double, 3>, most_outputs> coefficients{};  ///< c_0, c_1, c_2 of each output
-  std::size_t outputs = article_output_count;
+  std::size_t outputs = article_output_count;  ///< those that the rows have; coefficients beyond are 0
 };
 
 /// With rows of one or two back rakes the smallest coefficients of all that fit are taken.

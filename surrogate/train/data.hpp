@@ -28,6 +28,7 @@ struct TrainingRow {
   int line = 0;                              ///< in the file, the first one of a mean
 };
 
+/// The rows of one table, or of several joined.
 struct TrainingData {
   std::string file;                        ///< name without folder
   std::string fingerprint;                 ///< `base::fingerprint_text` of the file's bytes
@@ -64,6 +65,7 @@ TrainingData joined(const std::vector<TrainingData>& tables);
 /// Whether peaks were counted in one way, as far as 9 digits tell. Who does not say is taken for the article's way,
 /// whatever the sampling.
 bool mix(const std::optional<PeakCounting>& a, const std::optional<PeakCounting>& b);
+/// "with smoothing 40 um, prominence 0.02, distance 0 mm": how peaks were counted, for messages.
 std::string in_words(const std::optional<PeakCounting>& counting);
 
 /// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of

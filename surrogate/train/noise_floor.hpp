@@ -59,7 +59,13 @@ double effective_degrees(std::span<const double> variances, std::span<const doub
 double f_quantile(double probability, double numerator_degrees, double denominator_degrees);
 
 /// What can be said of a network.
-enum class Verdict { no_scatter_known, too_noisy, at_noise_floor, above_in_places, above_noise_floor };
+enum class Verdict {
+  no_scatter_known,  ///< no case was cut twice, or all cuts of every case are equal
+  too_noisy,         ///< to tell a network that is faultless from one that is not
+  at_noise_floor,    ///< no fault is seen
+  above_in_places,   ///< some cases lie farther off than chance has them
+  above_noise_floor  ///< all cases together do
+};
 
 /// What the verdict rests on: the cases compared, and the variances of the law.
 struct NoiseEvidence {

@@ -15,8 +15,13 @@
 
 namespace bitrock::surrogate {
 
-/// unseen: the model's training knew no such case.
-enum class CaseRole { train, validation, test, unseen };
+/// What a case was to the training of the model.
+enum class CaseRole {
+  train,       ///< the networks learnt from it
+  validation,  ///< it said when to stop
+  test,        ///< held out, to judge the networks
+  unseen       ///< the training knew no such case
+};
 
 /// Test and unseen cases: only they show what the network can do.
 inline bool is_held_out(CaseRole role) {
@@ -72,6 +77,7 @@ struct OutputParity {
   NoiseVerdict judged;                             ///< on held-out cases, or on all when there are none
 };
 
+/// A comparison of a model with data.
 struct Parity {
   /// The data are, byte for byte, those of the training, or one of its tables; otherwise roles rest on case numbers.
   bool same_data = false;

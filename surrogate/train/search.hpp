@@ -36,6 +36,7 @@ void take_kind(const Candidate& candidate, TrainOptions& options);
 /// The article's network first, then wider ones, other outputs, logarithms, both, and the formula.
 std::vector<Candidate> usual_candidates();
 
+/// What the measuring of a candidate gave.
 struct CandidateResult {
   Candidate candidate;      ///< that was measured
   OutputValues errors{};    ///< error_o [1]
@@ -44,6 +45,7 @@ struct CandidateResult {
   double gain_error = 0.0;  ///< its standard error [1]
 };
 
+/// What a search has found.
 struct Search {
   int folds = 0;                         ///< parts of the data
   int cases = 0;                         ///< that were predicted unseen

@@ -17,6 +17,7 @@
 
 namespace bitrock::surrogate {
 
+/// How the networks are built and trained.
 struct TrainOptions {
   std::vector<int> layers{3, 4, 6, 3, 1};                 ///< of every network; first 3, last 1
   OutputActivation output = OutputActivation::rectified;  ///< of the last layer
