@@ -39,7 +39,7 @@ std::vector<base::Section> describe(CutCase& cut) {
   using base::any, base::between, base::zero_or;
   // Ten times beyond what there is, near enough to catch a slipped unit: cutters have 8 to 25 mm; the longest bed is a
   // block of 10 m.
-  const base::Range cutter = between(0.5, 250.0);
+  const base::Range cutter = between(0.5, 250.0), ground_off = zero_or(1e-3, 50.0), clearance = zero_or(0.1, 60.0);
   const base::Range length = between(0.1, 1e4), from_zero = zero_or(0.01, 1e4);
   const base::Range sampling = between(0.01, 1e4);  // a hundredth of the smallest grain, and less, to some grains
   const base::Range margin = between(0.1, 1e3);     // chips that fly farther meet no rock any more
@@ -59,7 +59,10 @@ std::vector<base::Section> describe(CutCase& cut) {
       {"cutter",
        {{"diameter_mm", &cut.cutter_diameter, mm, cutter, "length of the face"},
         {"thickness_mm", &cut.cutter_thickness, mm, cutter, "behind the face"},
-        {"friction_coefficient", &cut.cutter_friction, 1.0, between(0.0, 10.0), "between cutter and rock"}}},
+        {"friction_coefficient", &cut.cutter_friction, 1.0, between(0.0, 10.0), "between cutter and rock"},
+        {"clearance_deg", &cut.cutter_clearance, deg, clearance, "rise of the underside; 0: the back rake"},
+        {"chamfer_mm", &cut.cutter_chamfer, mm, ground_off, "of the edge, up the face, at 45 degrees to it; 0: sharp"},
+        {"wear_flat_mm", &cut.cutter_wear_flat, mm, ground_off, "length of the flat along the cut; 0: none"}}},
       {"bed",
        {{"length_mm", &cut.bed_length, mm, length, "of the rock, along the cut"},
         {"height_mm", &cut.bed_height, mm, length, "of the rock, from bottom to surface"},
@@ -117,6 +120,19 @@ void check_cut_case(const CutCase& cut, const std::string& source) {
   if (cut.depth_of_cut > cut.cutter_diameter * std::cos(cut.back_rake)) {
     refuse(fmt::format("cut.depth_of_cut_mm = {:.4g} (at most {:.4g}, the height of the cutter's face)",
                        cut.depth_of_cut / mm, cut.cutter_diameter * std::cos(cut.back_rake) / mm));
+  }
+  const CutterShape shape = cutter_shape(cut);
+  if (cut.cutter_chamfer >= 0.5 * std::min(cut.cutter_diameter, cut.cutter_thickness)) {
+    refuse(
+        fmt::format("cutter.chamfer_mm = {:.4g} (must be below half of cutter.diameter_mm and of cutter.thickness_mm)",
+                    cut.cutter_chamfer / mm));
+  }
+  if (cut.cutter_wear_flat > 0.0 && cut.cutter_wear_flat >= longest_wear_flat(shape)) {
+    refuse(
+        fmt::format("cutter.wear_flat_mm = {:.4g} (must be below {:.4g}: there the flat reaches the back of the "
+                    "cutter{})",
+                    cut.cutter_wear_flat / mm, longest_wear_flat(shape) / mm,
+                    shape.clearance == 0.0 && shape.back_rake == 0.0 ? "; give cutter.clearance_deg" : ""));
   }
   if (cut.sampling_distance * 3.0 > cut.cut_length) {
     refuse(fmt::format("run.sampling_distance_um = {:.4g} (at most a third of the cut: {:.4g})",
@@ -214,8 +230,25 @@ CutCase checked(base::ConfigFile file) {
 
 }  // namespace
 
+CutterShape cutter_shape(const CutCase& cut) {
+  return {.diameter = cut.cutter_diameter,
+          .thickness = cut.cutter_thickness,
+          .back_rake = cut.back_rake,
+          .clearance = cut.cutter_clearance,
+          .chamfer = cut.cutter_chamfer,
+          .wear_flat = cut.cutter_wear_flat};
+}
+
 void leave_out_unused(std::vector<base::Section>& sections, const CutCase& cut) {
   if (cut.mud_pressure == 0.0) std::erase_if(sections, [](const base::Section& s) { return s.name == "fluid"; });
+  const auto unused = [&cut](const base::Field& field) {
+    return (field.name == "clearance_deg" && cut.cutter_clearance == 0.0) ||
+           (field.name == "chamfer_mm" && cut.cutter_chamfer == 0.0) ||
+           (field.name == "wear_flat_mm" && cut.cutter_wear_flat == 0.0);
+  };
+  for (base::Section& section : sections) {
+    if (section.name == "cutter") std::erase_if(section.fields, unused);
+  }
 }
 
 CutCase read_cut_case(const std::filesystem::path& path) {

@@ -9,6 +9,7 @@
 #include "dem2d/fluid/mud.hpp"
 #include "dem2d/specimen/rock.hpp"
 #include "dem2d/step/step.hpp"
+#include "dem2d/tool/cutter.hpp"
 
 namespace bitrock::dem2d {
 
@@ -25,6 +26,9 @@ struct CutCase {
   double cutter_diameter = 13e-3;  ///< length of the face [m]
   double cutter_thickness = 8e-3;  ///< [m]
   double cutter_friction = 0.3;    ///< between cutter and rock [1]
+  double cutter_clearance = 0.0;   ///< rise of the underside; 0: the back rake [rad]
+  double cutter_chamfer = 0.0;     ///< from the edge up the face, at 45 degrees to it; 0: sharp [m]
+  double cutter_wear_flat = 0.0;   ///< along the cut; 0: none [m]
 
   double bed_length = 60e-3;                       ///< [m]
   double bed_height = 20e-3;                       ///< [m]
@@ -54,7 +58,11 @@ inline constexpr base::Range back_rake_deg{.low = 0.0, .high = 60.0};      ///< 
 /// The sections of the file without the rock, bound to `cut`.
 std::vector<base::Section> describe(CutCase& cut);
 
-/// Without mud its table means nothing and is left out of what is kept and compared.
+/// The cutter of the case.
+CutterShape cutter_shape(const CutCase& cut);
+
+/// Without mud its table means nothing, and without chamfer, wear flat and clearance of its own neither do their keys:
+/// they are left out of what is kept and compared.
 void leave_out_unused(std::vector<base::Section>& sections, const CutCase& cut);
 
 /// Reads the case and the rock it names, or holds, checked together. Throws `base::InputError`.

@@ -42,11 +42,11 @@ constexpr double start_gap = 1e-6;
 
 /// Where the tip must be so that the leaned face just misses the rock's left edge, at the height of the surface.
 double start_x(const CutCase& cut) {
-  return -cut.depth_of_cut * std::tan(cut.back_rake) - start_gap;
+  return -face_ahead_of_tip(cutter_shape(cut), cut.depth_of_cut) - start_gap;
 }
 
 Boundary make_cutter(const CutCase& cut, double tip_y) {
-  return {.shape = cutter_outline({cut.cutter_diameter, cut.cutter_thickness, cut.back_rake}, start_x(cut), tip_y),
+  return {.shape = cutter_outline(cutter_shape(cut), start_x(cut), tip_y),
           .velocity_x = cut.cutter_speed,
           .modulus = cut.rock.contact_modulus,
           .stiffness_ratio = cut.rock.contact_stiffness_ratio,

@@ -30,6 +30,7 @@ double stress_intensity(double stress, double notch_length, double width);
 struct Notch {
   double x_low, x_high, y;  ///< [m]
 };
+/// Of this length [m].
 Notch middle_notch(const Specimen& specimen, double notch_length);
 
 /// Whether the saw parts two discs whose centres are at these places [m].

@@ -13,7 +13,7 @@ namespace bitrock::studies {
 
 namespace {
 
-constexpr PerProperty<double> fresh_tolerances{0.03, 0.03, 0.02, 0.01};
+constexpr PerProperty<double> fresh_tolerances{0.03, 0.03, 0.02, 0.01, 0.03};
 
 std::string with_unit(Property property, const std::string& number) {
   const std::string unit = words_of(property).unit;
@@ -81,6 +81,12 @@ std::string advice(const CalibrationTarget& target, const Calibration& calibrati
       return more ? "discs in two dimensions hardly give more; a denser packing (packing.pressure_MPa) changes it a "
                     "little"
                   : "a Poisson's ratio this small needs stiffness ratios below those allowed";
+    }
+    if (property == Property::confined_strength) {
+      return more ? "more strength under pressure needs more friction of broken joints "
+                    "(flat_joints.friction_coefficient) in the start rock"
+                  : "less strength under pressure needs less friction of broken joints "
+                    "(flat_joints.friction_coefficient) in the start rock";
     }
   }
   return "";

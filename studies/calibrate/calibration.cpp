@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 #include "studies/calibrate/root_search.hpp"
 
 namespace bitrock::studies {
@@ -16,24 +17,27 @@ namespace {
 using Eigen::VectorXd;
 using enum MicroParameter;
 
-/// What is known of d (result) / d ln (micro-parameter) beforehand, the other micro-parameters kept [1]. Origin:
-/// header. Columns: effective modulus, stiffness ratio, tensile strength, cohesion, friction.
+/// What is known of d (result) / d (axis of the micro-parameter) beforehand, the other micro-parameters kept [1].
+/// Origin: header. Columns: effective modulus, stiffness ratio, tensile strength, cohesion, friction, friction angle.
 constexpr PerProperty<Micro> guessed_slope{{
-    {0.0, -0.30, 0.6, 0.4, 0.05},
-    {0.0, -0.15, 1.0, 0.0, 0.0},
-    {1.0, -0.20, 0.0, 0.0, 0.0},
-    {0.0, 0.14, 0.0, 0.0, 0.0},
+    {0.0, -0.30, 0.6, 0.4, 0.05, 0.15},
+    {0.0, -0.15, 1.0, 0.0, 0.0, 0.0},
+    {1.0, -0.20, 0.0, 0.0, 0.0, 0.0},
+    {0.0, 0.14, 0.0, 0.0, 0.0, 0.0},
+    {0.0, -0.15, 0.3, 0.3, 0.07, 0.22},
 }};
 constexpr PerProperty<Micro> guessed_slope_spread{{
-    {0.30, 0.30, 0.15, 0.40, 0.10},
-    {0.10, 0.15, 0.10, 0.10, 0.02},
-    {0.03, 0.10, 0.02, 0.02, 0.01},
-    {0.02, 0.06, 0.02, 0.02, 0.01},
+    {0.30, 0.30, 0.15, 0.40, 0.10, 0.15},
+    {0.10, 0.15, 0.10, 0.10, 0.02, 0.02},
+    {0.03, 0.10, 0.02, 0.02, 0.01, 0.02},
+    {0.02, 0.06, 0.02, 0.02, 0.01, 0.02},
+    {0.20, 0.20, 0.15, 0.20, 0.10, 0.12},
 }};
 // Half the second derivative of each result along ln kappa and ln (cohesion / tensile strength), about [1].
-constexpr PerProperty<double> bend{0.25, 0.10, 0.10, 0.05};
+constexpr PerProperty<double> bend{0.25, 0.10, 0.10, 0.05, 0.15};
 // Largest steps of the logarithms: the stresses are nearly proportional to E* and the tensile strength, the rest bends.
-constexpr Micro largest_step{7.0, 0.9, 3.0, 0.9, 0.9};
+// The friction angle has its own axis, in radians.
+constexpr Micro largest_step{7.0, 0.9, 3.0, 0.9, 0.9, 0.5};
 // Slopes that the coarse search has measured are known this much better than the guesses.
 constexpr double inherited_spread = 0.5;
 constexpr double clear_miss = 3.0;           // standard errors
@@ -41,6 +45,8 @@ constexpr double coarse_tolerance = 2.0;     // over that of the fine search
 constexpr int kept_for_the_fine_search = 3;  // evaluations of the budget
 
 constexpr double least_friction = 0.05;
+constexpr double largest_friction_angle =
+    60.0 * base::deg;  // at 60 degrees joints under pressure hardly shear any more
 
 // Where a measured slope is smaller than this share of the guess (nothing seems to help), the guess's sign still
 // counts.
@@ -70,12 +76,23 @@ MicroParameter parameter_for(Property result, const std::vector<Unknown>& unknow
       return effective_modulus;
     case Property::poissons_ratio:
       return stiffness_ratio;
+    case Property::confined_strength:
+      return friction_angle;
     case Property::ucs:
       break;
   }
   const bool helps =
       std::any_of(unknowns.begin(), unknowns.end(), [](const auto& u) { return u.parameter == friction; });
   return helps ? friction : cohesion;
+}
+
+/// The search moves along logarithms, but along the friction angle itself, which may be 0 and to which the strengths
+/// are nearly proportional.
+double to_axis(MicroParameter parameter, double value) {
+  return parameter == friction_angle ? value : std::log(value);
+}
+double from_axis(MicroParameter parameter, double x) {
+  return parameter == friction_angle ? x : std::exp(x);
 }
 
 double value_of(const Unknown& unknown, const Micro& micro) {
@@ -94,6 +111,7 @@ Unknown limited(Unknown unknown, const Micro& start) {
   if (unknown.parameter == stiffness_ratio) unknown.low = 1.0, unknown.high = 10.0;
   if (unknown.parameter == cohesion) unknown.low = 0.5 * strength, unknown.high = 30.0 * strength;
   if (unknown.parameter == friction) unknown.low = least_friction, unknown.high = 2.0;
+  if (unknown.parameter == friction_angle) unknown.low = 0.0, unknown.high = largest_friction_angle;
   unknown.low = std::min(unknown.low, value);
   unknown.high = std::max(unknown.high, value);
   MicroLimits allowed = limits_of(unknown.parameter);
@@ -117,13 +135,17 @@ std::vector<Unknown> unknowns_for(const CalibrationTarget& target, const Micro& 
   if (strength && modulus) unknowns.back().relative_to = effective_modulus;
   if (free(Property::ucs)) unknowns.push_back({.parameter = cohesion});
   if (free(Property::ucs) && strength) unknowns.back().relative_to = tensile_strength;
+  if (free(Property::confined_strength)) unknowns.push_back({.parameter = friction_angle});
   for (Unknown& unknown : unknowns) unknown = limited(unknown, start);
   return unknowns;
 }
 
 VectorXd point_of(const std::vector<Unknown>& unknowns, const Micro& micro) {
   VectorXd x(static_cast<Eigen::Index>(unknowns.size()));
-  for (Eigen::Index j = 0; j < x.size(); ++j) x[j] = std::log(value_of(unknowns[static_cast<std::size_t>(j)], micro));
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    const Unknown& unknown = unknowns[static_cast<std::size_t>(j)];
+    x[j] = to_axis(unknown.parameter, value_of(unknown, micro));
+  }
   return x;
 }
 
@@ -134,7 +156,7 @@ Micro micro_at(const std::vector<Unknown>& unknowns, const VectorXd& x, const Mi
   for (const Unknown& unknown : unknowns) {
     const double unit = unknown.relative_to ? micro[index_of(*unknown.relative_to)] : 1.0;
     const MicroLimits allowed = limits_of(unknown.parameter);
-    const double wanted = rounded(unknown.parameter, std::exp(x[j++]) * unit);
+    const double wanted = rounded(unknown.parameter, from_axis(unknown.parameter, x[j++]) * unit);
     micro[index_of(unknown.parameter)] = std::clamp(wanted, allowed.low, allowed.high);
   }
   return micro;
@@ -159,8 +181,8 @@ RootProblem problem_of(const CalibrationTarget& target, const Stage& stage, cons
   problem.slope = problem.slope_spread = Eigen::MatrixXd(rows, columns);
   for (Eigen::Index j = 0; j < columns; ++j) {
     const Unknown& unknown = stage.unknowns[static_cast<std::size_t>(j)];
-    problem.low[j] = std::log(unknown.low);
-    problem.high[j] = std::log(unknown.high);
+    problem.low[j] = to_axis(unknown.parameter, unknown.low);
+    problem.high[j] = to_axis(unknown.parameter, unknown.high);
     problem.largest_step[j] = largest_step[index_of(unknown.parameter)];
   }
   for (Eigen::Index i = 0; i < rows; ++i) {
@@ -175,8 +197,9 @@ RootProblem problem_of(const CalibrationTarget& target, const Stage& stage, cons
       const Unknown& unknown = stage.unknowns[static_cast<std::size_t>(j)];
       if (unknown.parameter == own) problem.own_unknown.push_back(static_cast<int>(j));
       problem.slope(i, j) = slope_along(stage.unknowns, result, unknown.parameter);
-      problem.slope_spread(i, j) =
-          unknown.exact ? 0.0 : guessed_slope_spread[index_of(result)][index_of(unknown.parameter)];
+      // a confining pressure does not scale with the other stresses
+      const bool exact = unknown.exact && result != Property::confined_strength;
+      problem.slope_spread(i, j) = exact ? 0.0 : guessed_slope_spread[index_of(result)][index_of(unknown.parameter)];
     }
   }
   return problem;

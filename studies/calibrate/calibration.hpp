@@ -3,21 +3,25 @@
 /// of rock. Runs no tests itself: `Evaluate` makes them (laboratory.hpp) or pretends to (the tests of this file).
 ///
 /// **Unknowns.** Logarithms of those micro-parameters whose number is given: E* for E, kappa for nu, tensile strength
-/// for the tensile strength, cohesion for UCS. Where both are free, tensile strength is taken relative to E*, and
-/// cohesion relative to tensile strength. **Results.** Logarithms of UCS, tensile strength and E, and nu itself.
+/// for the tensile strength, cohesion for UCS; and the friction angle of the joints itself for the confined strength.
+/// Where both are free, tensile strength is taken relative to E*, and
+/// cohesion relative to tensile strength. **Results.** Logarithms of UCS, tensile strength, E and confined strength,
+/// and nu itself.
 ///
 /// **What is known beforehand.** All stresses scale together: with E*, tensile strength and cohesion multiplied by one
 /// factor, UCS, tensile strength and E are multiplied by it and nu stays (exact, because the loading rate is chosen by
 /// the number of wave transits, dem2d/lab/loading_rate.hpp). So the first column of the slopes is known exactly when
 /// all three are free. The other slopes are guesses with a spread, from single specimens of the article's rock:
 /// d ln UCS / d ln cohesion falls from 0.6 at cohesion / tensile strength = 3 to 0 at 20, where nothing breaks in shear
-/// any more; d nu / d ln kappa from 0.19 at kappa = 1.6 to 0.09 at 7.
+/// any more; d ln (confined strength) / d (friction angle) is 0.25 per radian up to 30 degrees and 0.2 up to 60, of
+/// which UCS takes along a half; d nu / d ln kappa from 0.19 at kappa = 1.6 to 0.09 at 7.
 ///
 /// **Course.** First a coarse search with few seeds and twice the tolerance, then the fine one with all seeds, which
 /// inherits point and slopes. The same seeds serve every evaluation, so that differences are less noisy than means.
 /// With `friction`, and when cohesion at its limit does not give UCS, the friction of broken elements takes its place.
 ///
-/// **Limits.** kappa 1 to 10, cohesion / tensile strength 0.5 to 30, friction 0.05 to 2; a start outside widens them.
+/// **Limits.** Friction angle 0 to 60 degrees, kappa 1 to 10, cohesion / tensile strength 0.5 to 30, friction 0.05 to
+/// 2; a start outside widens them.
 
 #include <functional>
 #include <string>

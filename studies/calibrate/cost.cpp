@@ -17,9 +17,9 @@ CalibrationCost cost_of(const CalibrationTarget& target) {
   const dem2d::LabSettings lab = lab_settings_of(target);
   CalibrationCost cost{.discs = dem2d::expected_discs(target.start, lab.width, lab.height)};
   const double step = dem2d::expected_step(target.start);
-  for (const dem2d::LabTest test : tests_of(target)) {
-    const double duration = load_after_expected * dem2d::expected_strain(test, target.start) /
-                            dem2d::default_strain_rate(test, target.start, lab);
+  for (const LaboratoryTest& test : tests_of(target)) {
+    const double duration = load_after_expected * dem2d::expected_strain(test.kind, target.start, test.pressure) /
+                            dem2d::default_strain_rate(test.kind, target.start, lab);
     cost.core_seconds_per_specimen += dem2d::expected_core_seconds(duration / step, cost.discs);
   }
   const int specimens =

@@ -16,10 +16,21 @@ namespace bitrock::studies {
 
 namespace {
 
-const std::vector<std::string> column_names{
-    "inputs",      "test",     "seed",           "effective_modulus_Pa", "stiffness_ratio", "tensile_strength_Pa",
-    "cohesion_Pa", "friction", "peak_stress_Pa", "youngs_modulus_Pa",    "poissons_ratio",  "wall_s"};
-constexpr std::size_t micro_begin = 3, results_begin = micro_begin + micro_count;
+const std::vector<std::string> column_names{"inputs",
+                                            "test",
+                                            "confining_pressure_Pa",
+                                            "seed",
+                                            "effective_modulus_Pa",
+                                            "stiffness_ratio",
+                                            "tensile_strength_Pa",
+                                            "cohesion_Pa",
+                                            "friction",
+                                            "friction_angle_rad",
+                                            "peak_stress_Pa",
+                                            "youngs_modulus_Pa",
+                                            "poissons_ratio",
+                                            "wall_s"};
+constexpr std::size_t micro_begin = 4, results_begin = micro_begin + micro_count;
 constexpr std::string_view white_space = " \t\r\n";
 
 /// Left by a program that was stopped before its first test, or made by hand.
@@ -37,10 +48,12 @@ void check_row(const base::CsvTable& table, std::size_t row) {
                                        column_names[column], table.column(column_names[column])[row], allowed));
   };
   const auto cell = [&](std::size_t column) { return table.column(column_names[column])[row]; };
-  const double test = cell(1), seed = cell(2);
-  require(1, test == static_cast<double>(dem2d::LabTest::ucs) || test == static_cast<double>(dem2d::LabTest::tension),
-          "0 or 1");
-  require(2, seed >= 0.0 && seed <= std::numeric_limits<int>::max() && seed == std::floor(seed),
+  const double test = cell(1), pressure = cell(2), seed = cell(3);
+  const auto is = [test](dem2d::LabTest kind) { return test == static_cast<double>(kind); };
+  const bool confined = is(dem2d::LabTest::triaxial);
+  require(1, is(dem2d::LabTest::ucs) || is(dem2d::LabTest::tension) || confined, "0, 1 or 3");
+  require(2, confined ? pressure > 0.0 : pressure == 0.0, "above 0 of test 3, and 0 of others");
+  require(3, seed >= 0.0 && seed <= std::numeric_limits<int>::max() && seed == std::floor(seed),
           "a whole number, at least 0");
   for (const std::size_t column : {results_begin, results_begin + 1}) require(column, cell(column) > 0.0, "above 0");
 }
@@ -90,7 +103,7 @@ void Journal::read_rows() {
     check_row(table, i);
     const auto cell = [&](std::size_t column) { return table.column(column_names[column])[i]; };
     Row row{.inputs = cell(0),
-            .record = {.test = static_cast<dem2d::LabTest>(cell(1)), .seed = static_cast<int>(cell(2))}};
+            .record = {.test = {static_cast<dem2d::LabTest>(cell(1)), cell(2)}, .seed = static_cast<int>(cell(3))}};
     for (std::size_t j = 0; j < row.record.micro.size(); ++j) row.record.micro[j] = cell(micro_begin + j);
     row.record.peak_stress = cell(results_begin);
     row.record.youngs_modulus = cell(results_begin + 1);
@@ -100,7 +113,7 @@ void Journal::read_rows() {
   }
 }
 
-std::optional<TestRecord> Journal::find(dem2d::LabTest test, int seed, const Micro& micro) const {
+std::optional<TestRecord> Journal::find(const LaboratoryTest& test, int seed, const Micro& micro) const {
   const std::lock_guard lock(mutex_);
   const auto same = [&](const Row& row) {
     return row.inputs == inputs_ && row.record.test == test && row.record.seed == seed && row.record.micro == micro;
@@ -115,8 +128,9 @@ void Journal::add(const TestRecord& record) {
   std::vector<std::vector<double>> columns(column_names.size());
   for (const Row& row : rows_) {
     columns[0].push_back(row.inputs);
-    columns[1].push_back(static_cast<double>(row.record.test));
-    columns[2].push_back(row.record.seed);
+    columns[1].push_back(static_cast<double>(row.record.test.kind));
+    columns[2].push_back(row.record.test.pressure);
+    columns[3].push_back(row.record.seed);
     for (std::size_t j = 0; j < row.record.micro.size(); ++j) columns[micro_begin + j].push_back(row.record.micro[j]);
     columns[results_begin].push_back(row.record.peak_stress);
     columns[results_begin + 1].push_back(row.record.youngs_modulus);

@@ -17,15 +17,23 @@
 
 namespace bitrock::studies {
 
+/// A test that a calibration makes.
+struct LaboratoryTest {
+  dem2d::LabTest kind = dem2d::LabTest::ucs;  ///< ucs, tension or triaxial
+  double pressure = 0.0;                      ///< that confines it; 0 but in a triaxial test [Pa]
+
+  bool operator==(const LaboratoryTest&) const = default;  ///< the same test
+};
+
 /// One laboratory test: a row of the table.
 struct TestRecord {
-  dem2d::LabTest test = dem2d::LabTest::ucs;  ///< ucs or tension
-  int seed = 0;                               ///< of the specimen
-  Micro micro{};                              ///< of its joints
-  double peak_stress = 0.0;                   ///< [Pa]
-  double youngs_modulus = 0.0;                ///< [Pa]
-  double poissons_ratio = 0.0;                ///< [1]
-  double wall_time = 0.0;                     ///< [s]
+  LaboratoryTest test;          ///< that was made
+  int seed = 0;                 ///< of the specimen
+  Micro micro{};                ///< of its joints
+  double peak_stress = 0.0;     ///< [Pa]
+  double youngs_modulus = 0.0;  ///< [Pa]
+  double poissons_ratio = 0.0;  ///< [1]
+  double wall_time = 0.0;       ///< [s]
 };
 
 /// The table in memory, and its file, which is locked as long as this lives.
@@ -38,7 +46,7 @@ class Journal {
   Journal(std::filesystem::path path, const std::string& inputs);
 
   /// The record of exactly these micro-parameters and seed. Safe to call from several threads.
-  std::optional<TestRecord> find(dem2d::LabTest test, int seed, const Micro& micro) const;
+  std::optional<TestRecord> find(const LaboratoryTest& test, int seed, const Micro& micro) const;
 
   /// Keeps a record: when this returns it is on the disk. Safe to call from several threads.
   void add(const TestRecord& record);

@@ -16,13 +16,13 @@ namespace bitrock::studies {
 inline constexpr int laboratory_version = 1;
 
 /// Core size from the start rock's [specimen], the rest as in `bitrock lab`.
-dem2d::LabSettings lab_settings_of(const CalibrationTarget& target);
+dem2d::LabSettings lab_settings_of(const CalibrationTarget& target, double confining_pressure = 0.0);
 
 /// All that a test depends on but micro-parameters and seed, as text: the key of the journal.
 std::string journal_inputs(const CalibrationTarget& target);
 
 /// Tests of this target, the longest first.
-std::vector<dem2d::LabTest> tests_of(const CalibrationTarget& target);
+std::vector<LaboratoryTest> tests_of(const CalibrationTarget& target);
 
 /// Throws `InputError` naming the start rock when the tests of this target cannot be made on its core.
 void check_tests(const CalibrationTarget& target);

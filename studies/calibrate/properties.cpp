@@ -15,6 +15,7 @@ constexpr PerProperty<PropertyWords> property_words{{
     {"tensile_strength_MPa", "tensile_strength_Pa", "tensile strength", "MPa", base::MPa, true},
     {"youngs_modulus_GPa", "youngs_modulus_Pa", "E", "GPa", base::GPa, true},
     {"poissons_ratio", "poissons_ratio", "nu", "", 1.0, false},
+    {"confined_strengths_MPa", "confined_strength_Pa", "confined strength", "MPa", base::MPa, true},
 }};
 
 constexpr std::array<MicroWords, micro_count> micro_words{{
@@ -23,6 +24,7 @@ constexpr std::array<MicroWords, micro_count> micro_words{{
     {"tensile_strength_MPa", "tensile strength", "MPa", base::MPa},
     {"cohesion_MPa", "cohesion", "MPa", base::MPa},
     {"friction_coefficient", "friction coefficient", "", 1.0},
+    {"friction_angle_deg", "friction angle", "deg", base::deg},
 }};
 
 /// The value in its file unit, made a number of four digits by `whole`; in SI again.
@@ -82,7 +84,8 @@ const MicroWords& words_of(MicroParameter parameter) {
 }
 
 Micro micro_of(const dem2d::Rock& rock) {
-  return {rock.joint_modulus, rock.joint_stiffness_ratio, rock.tensile_strength, rock.cohesion, rock.friction};
+  return {rock.joint_modulus, rock.joint_stiffness_ratio, rock.tensile_strength, rock.cohesion,
+          rock.friction,      rock.friction_angle};
 }
 
 dem2d::Rock with_micro(const dem2d::Rock& rock, const Micro& micro) {
@@ -104,6 +107,7 @@ dem2d::Rock with_micro(const dem2d::Rock& rock, const Micro& micro) {
   go_along(cohesion, changed.residual_cohesion);
   changed.friction = micro[index_of(friction)];
   go_along(friction, changed.contact_friction);
+  changed.friction_angle = micro[index_of(friction_angle)];
 
   changed.tensile_strength_deviation =
       bounded_deviation(tensile_strength, changed.tensile_strength_deviation, changed.tensile_strength);
@@ -117,8 +121,9 @@ dem2d::Rock with_micro(const dem2d::Rock& rock, const Micro& micro) {
 
 MicroLimits limits_of(MicroParameter parameter) {
   dem2d::Rock rock;
-  const double* const numbers[micro_count]{&rock.joint_modulus, &rock.joint_stiffness_ratio, &rock.tensile_strength,
-                                           &rock.cohesion, &rock.friction};
+  const double* const numbers[micro_count]{&rock.joint_modulus,    &rock.joint_stiffness_ratio,
+                                           &rock.tensile_strength, &rock.cohesion,
+                                           &rock.friction,         &rock.friction_angle};
   return range_of(rock, *numbers[index_of(parameter)]);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The four laboratory numbers that a synthetic rock is calibrated to, and the five micro-parameters that answer for
+/// The five laboratory numbers that a synthetic rock is calibrated to, and the six micro-parameters that answer for
 /// them. Both are short arrays, so that the search can loop over them; the names below say which entry is which.
 ///
 /// | number | from | answered mainly by |
@@ -8,6 +8,10 @@
 /// | direct tensile strength | tension test | tensile strength of the joints |
 /// | Young's modulus | tension test | effective modulus E* |
 /// | Poisson's ratio | tension test | stiffness ratio kappa |
+/// | confined strength | triaxial tests | friction angle of the bonded joints |
+///
+/// The confined strength is the mean, over the pressures of the target, of the largest stress along the load (s_1 of a
+/// triaxial test, the confining pressure included).
 
 #include <array>
 #include <string>
@@ -22,15 +26,16 @@ enum class Property {
   ucs,               ///< uniaxial compressive strength [Pa]
   tensile_strength,  ///< in direct tension [Pa]
   youngs_modulus,    ///< E in direct tension [Pa]
-  poissons_ratio     ///< nu in direct tension [1]
+  poissons_ratio,    ///< nu in direct tension [1]
+  confined_strength  ///< mean of s_1 over the confining pressures [Pa]
 };
-inline constexpr int property_count = 4;  ///< how many there are
+inline constexpr int property_count = 5;  ///< how many there are
 
 /// Something of each, in this order.
 template <class Value>
 using PerProperty = std::array<Value, property_count>;
 
-/// How one of the four is written: key of the target file and of JSON, name and unit for people.
+/// How one of them is written: key of the target file and of JSON, name and unit for people.
 struct PropertyWords {
   const char* key;      ///< in target files, ends in its unit
   const char* si_key;   ///< in JSON, ends in the SI unit
@@ -48,11 +53,13 @@ enum class MicroParameter {
   stiffness_ratio,    ///< kappa, normal over shear [1]
   tensile_strength,   ///< mean over the joints [Pa]
   cohesion,           ///< mean over the joints [Pa]
-  friction            ///< of broken elements [1]
+  friction,           ///< of broken elements [1]
+  friction_angle      ///< phi of bonded elements [rad]
 };
-inline constexpr int micro_count = 5;  ///< how many there are
+inline constexpr int micro_count = 6;  ///< how many there are
 
-/// SI values: E* [Pa], kappa [1], tensile strength [Pa], cohesion [Pa], friction coefficient of broken elements [1].
+/// SI values: E* [Pa], kappa [1], tensile strength [Pa], cohesion [Pa], friction coefficient of broken elements [1],
+/// friction angle of bonded elements [rad].
 using Micro = std::array<double, micro_count>;
 
 /// Key of the rock file without its section, and the factor of its unit.
@@ -92,7 +99,7 @@ double error_of(Property property, double value, double wanted);
 /// Mean and scatter over the seeds of each number; `count` is 0 for a number that was not measured.
 struct Evaluation {
   Micro micro{};                        ///< that were tested
-  PerProperty<base::Summary> measured;  ///< [Pa], [Pa], [Pa], [1]
+  PerProperty<base::Summary> measured;  ///< [Pa], [Pa], [Pa], [1], [Pa]
   std::string failure;                  ///< why nothing was measured; empty when it was
 };
 
@@ -107,10 +114,10 @@ inline std::size_t index_of(MicroParameter parameter) {
 
 /// In the order of `PerProperty`.
 inline constexpr std::array all_properties{Property::ucs, Property::tensile_strength, Property::youngs_modulus,
-                                           Property::poissons_ratio};
+                                           Property::poissons_ratio, Property::confined_strength};
 /// In the order of `Micro`.
 inline constexpr std::array all_micro_parameters{MicroParameter::effective_modulus, MicroParameter::stiffness_ratio,
-                                                 MicroParameter::tensile_strength, MicroParameter::cohesion,
-                                                 MicroParameter::friction};
+                                                 MicroParameter::tensile_strength,  MicroParameter::cohesion,
+                                                 MicroParameter::friction,          MicroParameter::friction_angle};
 
 }  // namespace bitrock::studies

@@ -23,6 +23,7 @@ constexpr double reached_strength_ratio = 14.0;
 
 struct TargetFile {
   std::string rock;
+  std::vector<double> pressures_MPa, strengths_MPa;  ///< one strength a pressure
   double tolerance_percent = 1.0;
 };
 
@@ -42,7 +43,11 @@ std::vector<base::Section> describe(CalibrationTarget& target, TargetFile& writt
         {"ucs_MPa", wanted(Property::ucs), MPa, ucs, "uniaxial compressive strength"},
         {"tensile_strength_MPa", wanted(Property::tensile_strength), MPa, tension, "in direct tension"},
         {"youngs_modulus_GPa", wanted(Property::youngs_modulus), GPa, modulus, "in direct tension"},
-        {"poissons_ratio", wanted(Property::poissons_ratio), 1.0, below_half, "in direct tension"}}},
+        {"poissons_ratio", wanted(Property::poissons_ratio), 1.0, below_half, "in direct tension"},
+        {"confining_pressures_MPa", &written.pressures_MPa, 1.0, dem2d::confining_pressure_MPa,
+         "of triaxial tests, e.g. [5, 20]"},
+        {"confined_strengths_MPa", &written.strengths_MPa, 1.0, ucs,
+         "largest stress along the load under each of these pressures, the pressure included"}}},
       {"start", {{"rock", &written.rock, 1.0, any(), "rock file whose other parameters are kept", true}}},
       {"calibration",
        {{"first_seed", &settings.first_seed, 1.0, between(0, largest_seed), "of the specimens"},
@@ -54,15 +59,43 @@ std::vector<base::Section> describe(CalibrationTarget& target, TargetFile& writt
   };
 }
 
+/// One strength a pressure, and stronger than without.
+void take_confined(const base::ConfigFile& file, const TargetFile& written, CalibrationTarget& target) {
+  const std::size_t count = written.pressures_MPa.size();
+  if (written.strengths_MPa.size() != count) {
+    file.refuse("target", count > 0 ? "confining_pressures_MPa" : "confined_strengths_MPa",
+                fmt::format("{} pressures and {} strengths: each confined strength needs its pressure", count,
+                            written.strengths_MPa.size()));
+  }
+  if (count == 0) return;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    target.pressures.push_back(written.pressures_MPa[k] * MPa);
+    target.confined.push_back(written.strengths_MPa[k] * MPa);
+    sum += target.confined.back();
+    if (target.pressures.back() <= 0.0)
+      file.refuse("target", "confining_pressures_MPa", "must be above 0 (the strength without pressure is ucs_MPa)");
+    if (target.confined.back() <= target.pressures.back() + target.wanted[index_of(Property::ucs)]) {
+      file.refuse(
+          "target", "confined_strengths_MPa",
+          fmt::format("{:g} MPa under {:g} MPa: must be above the pressure and ucs_MPa together (it is the whole "
+                      "stress along the load)",
+                      written.strengths_MPa[k], written.pressures_MPa[k]));
+    }
+  }
+  target.wanted[index_of(Property::confined_strength)] = sum / static_cast<double>(count);
+}
+
 CalibrationTarget checked(base::ConfigFile file) {
   CalibrationTarget target;
   TargetFile written;
   for (const base::Section& section : describe(target, written)) file.fill(section);
   file.refuse_unknown();
+  take_confined(file, written, target);
   if (std::none_of(all_properties.begin(), all_properties.end(), [&](Property p) { return is_wanted(target, p); })) {
     throw base::InputError(
         fmt::format("{}: [target] names nothing to calibrate to (at least one of ucs_MPa, tensile_strength_MPa, "
-                    "youngs_modulus_GPa, poissons_ratio)",
+                    "youngs_modulus_GPa, poissons_ratio, confined_strengths_MPa)",
                     file.name()));
   }
   const double compression = target.wanted[index_of(Property::ucs)];

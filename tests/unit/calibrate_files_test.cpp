@@ -34,7 +34,8 @@ TEST(CalibrationTarget, TheShippedTargetsRead) {
         studies::read_target(std::string(BITROCK_SOURCE_DIR) + "/campaigns/rocks/targets/" + name + ".toml");
     for (const Property property : studies::all_properties) {
       // the granite's tensile strength is out of reach, as its target says
-      const bool left_out = std::string(name) == "granite" && property == Property::tensile_strength;
+      const bool left_out = (std::string(name) == "granite" && property == Property::tensile_strength) ||
+                            property == Property::confined_strength;
       EXPECT_EQ(studies::is_wanted(target, property), !left_out) << name;
     }
   }
@@ -52,6 +53,27 @@ TEST(CalibrationTarget, UnitsAndDefaults) {
   EXPECT_DOUBLE_EQ(studies::tolerance_of(target, Property::ucs), 0.02);
   EXPECT_DOUBLE_EQ(studies::tolerance_of(target, Property::poissons_ratio), 0.005);
   EXPECT_DOUBLE_EQ(target.start.joint_modulus, dem2d::read_rock(target.rock_file).joint_modulus);
+}
+
+TEST(CalibrationTarget, ConfinedStrengthsAndTheirPressures) {
+  const std::string head = "[target]\nname = \"a\"\nucs_MPa = 70\n";
+  const auto target = studies::parse_target(
+      head + "confining_pressures_MPa = [5, 20]\nconfined_strengths_MPa = [93, 137]\n" + rock_line, "target.toml");
+  EXPECT_EQ(target.pressures, (std::vector<double>{5e6, 20e6}));
+  EXPECT_DOUBLE_EQ(target.wanted[studies::index_of(Property::confined_strength)], 115e6);
+  const auto tests = studies::tests_of(target);
+  ASSERT_EQ(tests.size(), 3u);
+  EXPECT_EQ(tests[1], (studies::LaboratoryTest{dem2d::LabTest::triaxial, 20e6}));
+  const auto said = [&](const std::string& numbers) { return target_message(head + numbers + rock_line); };
+  EXPECT_NE(
+      said("confining_pressures_MPa = [5, 20]\nconfined_strengths_MPa = [93]\n").find("2 pressures and 1 strengths"),
+      std::string::npos);
+  EXPECT_NE(said("confined_strengths_MPa = [93]\n").find("0 pressures and 1 strengths"), std::string::npos);
+  EXPECT_NE(said("confining_pressures_MPa = [20]\nconfined_strengths_MPa = [85]\n")
+                .find("85 MPa under 20 MPa: must be above the pressure and ucs_MPa together"),
+            std::string::npos);
+  EXPECT_NE(said("confining_pressures_MPa = [0]\nconfined_strengths_MPa = [85]\n").find("must be above 0"),
+            std::string::npos);
 }
 
 TEST(CalibrationTarget, RefusesWhatATargetCannotBe) {
@@ -262,35 +284,36 @@ TEST(CalibratedRock, ARockThatNoCommandCouldReadIsNotWritten) {
 
 TEST(Journal, FindsOnlyWhatWasTestedUnderTheSameInputs) {
   const scratch::Folder dir("journal");
-  const studies::TestRecord record{.test = dem2d::LabTest::tension,
+  const studies::TestRecord record{.test = {dem2d::LabTest::triaxial, 2e7},
                                    .seed = 7,
-                                   .micro = {1e9 / 3.0, 2.5, 1e7, 5e7, 0.577},
+                                   .micro = {1e9 / 3.0, 2.5, 1e7, 5e7, 0.577, 0.3},
                                    .peak_stress = 6.4e6 / 7.0,
                                    .youngs_modulus = 1.48e9,
                                    .poissons_ratio = 0.23,
                                    .wall_time = 2.0};
   {
     studies::Journal journal(dir / "j.csv", "rock A");
-    EXPECT_FALSE(journal.find(dem2d::LabTest::tension, 7, record.micro));
+    EXPECT_FALSE(journal.find(record.test, 7, record.micro));
     journal.add(record);
   }
   {
     studies::Journal other(dir / "j.csv", "rock B");
-    EXPECT_FALSE(other.find(dem2d::LabTest::tension, 7, record.micro));
+    EXPECT_FALSE(other.find(record.test, 7, record.micro));
     studies::TestRecord weaker = record;
     weaker.peak_stress = 1.0;
     other.add(weaker);  // the rows of rock A stay
   }
   const studies::Journal again(dir / "j.csv", "rock A");
-  const auto found = again.find(dem2d::LabTest::tension, 7, record.micro);
+  const auto found = again.find(record.test, 7, record.micro);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->peak_stress, record.peak_stress);  // bit for bit
   EXPECT_EQ(found->poissons_ratio, record.poissons_ratio);
-  EXPECT_FALSE(again.find(dem2d::LabTest::ucs, 7, record.micro));
-  EXPECT_FALSE(again.find(dem2d::LabTest::tension, 8, record.micro));
+  EXPECT_FALSE(again.find({dem2d::LabTest::ucs}, 7, record.micro));
+  EXPECT_FALSE(again.find(record.test, 8, record.micro));
+  EXPECT_FALSE(again.find({dem2d::LabTest::triaxial, 1e7}, 7, record.micro));
   auto other_micro = record.micro;
   other_micro[3] *= 1.0001;
-  EXPECT_FALSE(again.find(dem2d::LabTest::tension, 7, other_micro));
+  EXPECT_FALSE(again.find(record.test, 7, other_micro));
 }
 
 TEST(Journal, RefusesAFileThatIsNone) {
@@ -309,12 +332,12 @@ std::string journal_message(const std::filesystem::path& path) {
 }
 
 const std::string journal_head =
-    "inputs,test,seed,effective_modulus_Pa,stiffness_ratio,tensile_strength_Pa,cohesion_Pa,friction,peak_stress_Pa,"
-    "youngs_modulus_Pa,poissons_ratio,wall_s\n";
+    "inputs,test,confining_pressure_Pa,seed,effective_modulus_Pa,stiffness_ratio,tensile_strength_Pa,cohesion_Pa,"
+    "friction,friction_angle_rad,peak_stress_Pa,youngs_modulus_Pa,poissons_ratio,wall_s\n";
 
 TEST(Journal, WithoutRowsIsNew) {
   const scratch::Folder dir("journal_new");
-  const studies::TestRecord record{.seed = 1, .micro = {1, 2, 3, 4, 5}, .peak_stress = 1.0, .youngs_modulus = 1.0};
+  const studies::TestRecord record{.seed = 1, .micro = {1, 2, 3, 4, 5, 0}, .peak_stress = 1.0, .youngs_modulus = 1.0};
   for (const std::string& text : {std::string(), std::string("\n"), journal_head}) {
     base::write_whole(dir / "j.csv", text);
     studies::Journal journal(dir / "j.csv", "x");
@@ -327,31 +350,37 @@ TEST(Journal, WithoutRowsIsNew) {
 
 TEST(Journal, RefusesARowThatNoTestCanHaveGiven) {
   const scratch::Folder dir("journal_rows");
-  const std::string good = "5,1,3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n";
+  const std::string good = "5,1,0,3,1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,1\n";
   const auto message = [&](const std::string& row) {
     base::write_whole(dir / "j.csv", journal_head + good + row);
     return journal_message(dir / "j.csv");
   };
-  EXPECT_EQ(message("5,0,2147483647,1e9,2.5,1e7,5e7,0,6e6,1e9,-0.2,1\n"), "accepted");
+  EXPECT_EQ(message("5,0,0,2147483647,1e9,2.5,1e7,5e7,0,0,6e6,1e9,-0.2,1\n"), "accepted");
   for (const char* test : {"7", "0.5", "1e300", "-1", "2"}) {
-    EXPECT_NE(message(std::string("5,") + test + ",3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n").find("j.csv:3: test = "),
+    EXPECT_NE(message(std::string("5,") + test + ",0,3,1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,1\n").find("j.csv:3: test = "),
               std::string::npos);
   }
   for (const char* seed : {"2.7", "-1", "2147483648"}) {
-    EXPECT_NE(message(std::string("5,1,") + seed + ",1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n").find("j.csv:3: seed = "),
+    EXPECT_NE(message(std::string("5,1,0,") + seed + ",1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,1\n").find("j.csv:3: seed = "),
               std::string::npos);
   }
-  EXPECT_NE(message("5,1,3,1e9,2.5,1e7,5e7,0.5,-6e6,1e9,0.2,1\n").find("j.csv:3: peak_stress_Pa = -6000000"),
+  EXPECT_NE(message("5,1,0,3,1e9,2.5,1e7,5e7,0.5,0,-6e6,1e9,0.2,1\n").find("j.csv:3: peak_stress_Pa = -6000000"),
             std::string::npos);
-  EXPECT_NE(message("5,1,3,1e9,2.5,1e7,5e7,0.5,6e6,0,0.2,1\n").find("j.csv:3: youngs_modulus_Pa = 0"),
+  EXPECT_EQ(message("5,3,2e7,3,1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,1\n"), "accepted");
+  for (const char* begin : {"5,3,0", "5,1,2e7", "5,3,-1"}) {
+    EXPECT_NE(message(std::string(begin) + ",3,1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,1\n").find("confining_pressure_Pa = "),
+              std::string::npos)
+        << begin;
+  }
+  EXPECT_NE(message("5,1,0,3,1e9,2.5,1e7,5e7,0.5,0,6e6,0,0.2,1\n").find("j.csv:3: youngs_modulus_Pa = 0"),
             std::string::npos);
 }
 
 TEST(Journal, ALastRowCutShortIsLeftOutAndSaid) {
   const scratch::Folder dir("journal_torn");
-  const std::string first = "5,1,3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n";
-  for (const char* torn : {"5,1,4,1e9,2.5", "5", "5,1,4,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,",
-                           "5,1,4,1e9,2.5,1e7,5e7,0.5,"
+  const std::string first = "5,1,0,3,1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,1\n";
+  for (const char* torn : {"5,1,0,4,1e9,2.5", "5", "5,1,0,4,1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,",
+                           "5,1,0,4,1e9,2.5,1e7,5e7,0.5,0,"
                            "6e6,1e9,0.2,1e"}) {
     base::write_whole(dir / "j.csv", journal_head + first + torn);
     const studies::Journal journal(dir / "j.csv", "x");
@@ -366,10 +395,10 @@ TEST(Journal, ALastRowCutShortIsLeftOutAndSaid) {
 
 TEST(Journal, DamageInTheMiddleNamesTheLineAndTheWayOut) {
   const scratch::Folder dir("journal_damaged");
-  const std::string row = "5,1,3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n";
+  const std::string row = "5,1,0,3,1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,1\n";
   for (const std::string& text :
-       {journal_head + row + "5,1,4,1e9\n" + row, journal_head + row + "5,1,x,1,1,1,1,1,1,1,1,1\n",
-        journal_head + row + "5,7,3,1e9,2.5,1e7,5e7,0.5,6e6,1e9,0.2,1\n"}) {
+       {journal_head + row + "5,1,0,4,1e9\n" + row, journal_head + row + "5,1,0,x,1,1,1,1,1,1,1,1,1,1\n",
+        journal_head + row + "5,7,0,3,1e9,2.5,1e7,5e7,0.5,0,6e6,1e9,0.2,1\n"}) {
     base::write_whole(dir / "j.csv", text);
     const std::string said = journal_message(dir / "j.csv");
     EXPECT_NE(said.find("j.csv:3: "), std::string::npos) << said;

@@ -20,6 +20,7 @@ struct ModelRock {
   double scatter = 0.0;     ///< of one specimen [1]
   double chaos = 0.0;       ///< of one specimen when its micro-parameters change a little [1]
   double largest_nu = 10.0;
+  double pressure = 20e6;       ///< of the triaxial tests [Pa]; it does not scale with the rock
   std::uint64_t replicate = 0;  ///< another one, another chance
   int calls = 0, tests = 0;
 
@@ -31,7 +32,9 @@ struct ModelRock {
     const double friction = std::pow(micro[4] / 0.577, 0.1);
     const double times = wide / std::pow(1.0 + std::pow(wide / saturation, 6.0), 1.0 / 6.0) * friction;
     const double nu = 0.19 + 0.16 * kappa - 0.5 * curvature * kappa * kappa;
-    return {strength * times, strength, modulus * std::exp(-0.22 * kappa + 0.01 * brittle), std::min(nu, largest_nu)};
+    const double ucs = strength * times * (1.0 + 0.15 * micro[5]);
+    return {ucs, strength, modulus * std::exp(-0.22 * kappa + 0.01 * brittle), std::min(nu, largest_nu),
+            ucs + pressure * (2.7 + 1.3 * micro[5]) * friction};
   }
 
   studies::Evaluation evaluate(const Micro& micro, int seeds) {
@@ -91,6 +94,26 @@ TEST(CalibrationSearch, ReachesFourNumbersOfAStraightRockInFewEvaluations) {
     const double value = found.best.micro[studies::index_of(parameter)];
     EXPECT_EQ(value, studies::rounded(parameter, value));  // as it will stand in the rock file
   }
+}
+
+TEST(CalibrationSearch, ReachesTheConfinedStrengthByTheFrictionAngle) {
+  // the article's rock has about 130 MPa under 20 MPa with a friction angle of 0, and 160 with 60 degrees
+  for (const double confined : {128e6, 140e6, 150e6}) {
+    ModelRock rock{.curvature = 0.1};
+    auto target = article();
+    target.wanted[studies::index_of(Property::confined_strength)] = confined;
+    const auto found = run(rock, target);
+    EXPECT_EQ(found.end, SearchEnd::reached) << confined;
+    EXPECT_LE(worst(rock, target, found.best.micro), 1.0);
+    EXPECT_LE(rock.calls, 9);
+  }
+  ModelRock rock;
+  auto target = article();
+  target.wanted[studies::index_of(Property::confined_strength)] = 220e6;
+  const auto found = run(rock, target);
+  EXPECT_EQ(found.end, SearchEnd::out_of_reach);
+  ASSERT_EQ(found.limits.size(), 1u);
+  EXPECT_EQ(found.limits[0], "friction angle 60 deg is the largest allowed");
 }
 
 TEST(CalibrationSearch, ReachesACurvedRockFarFromTheStart) {

@@ -107,6 +107,30 @@ TEST(CutCase, TheMovingRockReachesFarEnoughAndMovesOnOftenEnough) {
   EXPECT_TRUE(refused(wrong, "run.sampling_distance_um"));
 }
 
+TEST(CutCase, TheEdgeOfTheCutterHasKeysThatASharpOneDoesNotShow) {
+  dem2d::CutCase cut = small_cut();
+  for (const char* key : {"clearance_deg", "chamfer_mm", "wear_flat_mm"})
+    EXPECT_EQ(dem2d::resolved_toml(cut).find(key), std::string::npos) << "the hashes of older cuts hold";
+  cut.cutter_clearance = 0.1;
+  cut.cutter_chamfer = 0.3e-3;
+  cut.cutter_wear_flat = 1e-3;
+  EXPECT_NO_THROW(dem2d::check_cut_case(cut, "case"));
+  const dem2d::CutCase again = dem2d::parse_resolved(dem2d::exact_toml(cut), "again");
+  EXPECT_EQ(again.cutter_clearance, 0.1);
+  EXPECT_EQ(again.cutter_chamfer, 0.3e-3);
+  EXPECT_EQ(again.cutter_wear_flat, 1e-3);
+  cut.cutter_chamfer = 4e-3;  // half of the thickness
+  EXPECT_NE(message([&] { dem2d::check_cut_case(cut, "case"); }).find("cutter.chamfer_mm = 4 (must be below half"),
+            std::string::npos);
+  cut.cutter_chamfer = 0.0;
+  cut.cutter_wear_flat = 9e-3;
+  EXPECT_NE(message([&] { dem2d::check_cut_case(cut, "case"); }).find("cutter.wear_flat_mm = 9 (must be below 8."),
+            std::string::npos);
+  cut.back_rake = cut.cutter_clearance = 0.0;
+  cut.cutter_wear_flat = 1e-3;
+  EXPECT_NE(message([&] { dem2d::check_cut_case(cut, "case"); }).find("give cutter.clearance_deg"), std::string::npos);
+}
+
 TEST(CutCase, TheStepFactorIsThatOfTheStep) {
   dem2d::CutCase cut = small_cut();
   const dem2d::Specimen bed = dem2d::make_specimen(cut.rock, cut.bed_length, cut.bed_height, 2, 1);

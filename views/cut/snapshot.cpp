@@ -131,8 +131,7 @@ std::string draw_snapshot(const dem2d::RunFile& run, const dem2d::Frame& frame, 
     draw_discs(picture, discs);
     draw_cracks(picture, discs, cracks);
     draw_polygon(picture,
-                 dem2d::cutter_outline({cut.cutter_diameter, cut.cutter_thickness, cut.back_rake}, frame.tip_x,
-                                       cut.bed_height - cut.depth_of_cut),
+                 dem2d::cutter_outline(dem2d::cutter_shape(cut), frame.tip_x, cut.bed_height - cut.depth_of_cut),
                  tool_fill);
   });
   picture.font_size(17.0);

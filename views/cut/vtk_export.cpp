@@ -91,8 +91,8 @@ VtkPolyData vtk_cracks(const dem2d::RunFile& run, const dem2d::Frame& frame) {
 
 VtkPolyData vtk_cutter(const dem2d::RunFile& run, const dem2d::Frame& frame) {
   const dem2d::CutCase& cut = run.cut;
-  dem2d::ConvexPolygon outline = dem2d::cutter_outline({cut.cutter_diameter, cut.cutter_thickness, cut.back_rake},
-                                                       frame.tip_x, cut.bed_height - cut.depth_of_cut);
+  dem2d::ConvexPolygon outline =
+      dem2d::cutter_outline(dem2d::cutter_shape(cut), frame.tip_x, cut.bed_height - cut.depth_of_cut);
   VtkPolyData data{.x = std::move(outline.x), .y = std::move(outline.y), .cells = VtkCells::polygons};
   number_cells(data, static_cast<int>(data.x.size()));
   const std::size_t sample = nearest_sample(run.run.time, frame.time);

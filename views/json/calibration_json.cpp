@@ -23,11 +23,8 @@ nlohmann::json numbers_json(const studies::CalibrationTarget& target, const stud
 }
 
 nlohmann::json micro_json(const studies::Micro& micro) {
-  return {{"effective_modulus_Pa", micro[0]},
-          {"stiffness_ratio", micro[1]},
-          {"tensile_strength_Pa", micro[2]},
-          {"cohesion_Pa", micro[3]},
-          {"friction_coefficient", micro[4]}};
+  return {{"effective_modulus_Pa", micro[0]}, {"stiffness_ratio", micro[1]},      {"tensile_strength_Pa", micro[2]},
+          {"cohesion_Pa", micro[3]},          {"friction_coefficient", micro[4]}, {"friction_angle_rad", micro[5]}};
 }
 
 bool fresh_within(const studies::CalibrationTarget& target, const studies::FreshSpecimens& fresh) {

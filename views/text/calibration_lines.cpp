@@ -13,9 +13,11 @@ namespace {
 using studies::Property;
 
 std::string micro_text(const studies::Micro& micro) {
-  return fmt::format("E* {:.4g} GPa, kappa {:.4g}, tensile {:.4g} MPa, cohesion {:.4g} MPa, friction {:.3g}",
-                     base::in_units(micro[0], base::GPa), micro[1], base::in_units(micro[2], base::MPa),
-                     base::in_units(micro[3], base::MPa), micro[4]);
+  return fmt::format(
+      "E* {:.4g} GPa, kappa {:.4g}, tensile {:.4g} MPa, cohesion {:.4g} MPa, friction {:.3g} and {:.3g} "
+      "deg",
+      base::in_units(micro[0], base::GPa), micro[1], base::in_units(micro[2], base::MPa),
+      base::in_units(micro[3], base::MPa), micro[4], base::in_units(micro[5], base::deg));
 }
 
 std::string indented(const std::vector<std::string>& lines) {
