@@ -81,14 +81,18 @@ base::Section describe(PipeSection& pipe) {
   const base::Range length = between(1e-3, 2e4), youngs = between(0.1, 2000.0), shear = between(0.03, 1000.0);
   const base::Range density = between(500.0, 3e4), linear_mass = zero_or(0.01, 1e4);
   const base::Range bore = zero_or(0.5, 2000.0);
-  return {"pipe",
-          {{"length_m", &pipe.length, 1.0, length, "of the section", true},
-           {"outer_diameter_mm", &pipe.outer_diameter, mm, diameter, "of the pipe body", true},
-           {"inner_diameter_mm", &pipe.inner_diameter, mm, bore, "of the pipe body", true},
-           {"youngs_modulus_GPa", &pipe.youngs_modulus, GPa, youngs, "of the steel"},
-           {"shear_modulus_GPa", &pipe.shear_modulus, GPa, shear, "of the steel"},
-           {"density_kg_per_m3", &pipe.density, 1.0, density, "of the steel"},
-           {"linear_mass_kg_per_m", &pipe.linear_mass, 1.0, linear_mass, "with tool joints; 0: of the body"}}};
+  base::Section section{
+      "pipe",
+      {{"length_m", &pipe.length, 1.0, length, "of the section", true},
+       {"outer_diameter_mm", &pipe.outer_diameter, mm, diameter, "of the pipe body", true},
+       {"inner_diameter_mm", &pipe.inner_diameter, mm, bore, "of the pipe body", true},
+       {"youngs_modulus_GPa", &pipe.youngs_modulus, GPa, youngs, "of the steel"},
+       {"shear_modulus_GPa", &pipe.shear_modulus, GPa, shear, "of the steel"},
+       {"density_kg_per_m3", &pipe.density, 1.0, density, "of the steel"},
+       {"linear_mass_kg_per_m", &pipe.linear_mass, 1.0, linear_mass, "with tool joints; 0: of the body"}}};
+  return base::also_in_oilfield_units({section},
+                                      {"length_m", "outer_diameter_mm", "inner_diameter_mm", "linear_mass_kg_per_m"})
+      .front();
 }
 
 base::Section describe_string(DrillCase& drill, Words& words) {
@@ -225,7 +229,11 @@ std::vector<base::Section> describe(DrillCase& drill, Words& words) {
   for (const auto part : {describe_bit_rock, describe_run}) {
     for (base::Section& section : part(drill, words)) sections.push_back(std::move(section));
   }
-  return sections;
+  return base::also_in_oilfield_units(
+      std::move(sections),
+      {"torque_kN_m", "hook_load_kN", "friction_radius_mm", "normal_force_kN", "radius_mm", "threshold_weight_kN",
+       "imposed_weight_kN", "pressure_drop_MPa", "nozzle_area_mm2", "density_kg_per_m3", "force_mean_kN",
+       "force_deviation_kN", "torque_mean_N_m", "torque_deviation_N_m"});
 }
 
 void take_words(const base::ConfigFile& file, const Words& words, DrillCase& drill) {
@@ -261,7 +269,7 @@ void read_pipes(base::ConfigFile& file, DrillCase& drill, Words& words) {
     file.fill_entry(describe(pipe), i);
     if (pipe.inner_diameter >= pipe.outer_diameter) {
       throw base::InputError(
-          fmt::format("{}: pipe {}: inner_diameter_mm = {:.6g} (must be below outer_diameter_mm = {:.6g})", file.name(),
+          fmt::format("{}: pipe {}: inner diameter {:.6g} mm (must be below the outer one, {:.6g} mm)", file.name(),
                       i + 1, pipe.inner_diameter / mm, pipe.outer_diameter / mm));
     }
     drill.pipes.push_back(pipe);

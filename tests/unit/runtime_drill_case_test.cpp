@@ -80,6 +80,17 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
+TEST(DrillCase, FeetInchesAndPoundsAreTheSameString) {
+  std::string text = replaced(pipes, "length_m = 150", "length_ft = 500\nlinear_mass_lb_per_ft = 20");
+  text = replaced(text, "outer_diameter_mm = 127", "outer_diameter_in = 5");
+  text = replaced(text, "hook_load_kN = 25", "hook_load_klbf = 5");
+  const runtime::DrillCase drill = read(text);
+  EXPECT_DOUBLE_EQ(drill.pipes[0].length, 152.4);
+  EXPECT_DOUBLE_EQ(drill.pipes[0].outer_diameter, 0.127);
+  EXPECT_NEAR(drill.pipes[0].linear_mass, 29.76328, 1e-5);
+  EXPECT_NEAR(drill.drive.hook_load, 22241.11, 5e-3);
+}
+
 TEST(DrillCase, PipesBecomeChainsWithTheBitAtTheirEnd) {
   const runtime::DrillString string = runtime::assemble(read(pipes));
   ASSERT_EQ(string.axial.size(), 2u);
@@ -129,7 +140,7 @@ TEST(DrillCase, BadInputIsRefusedWithTheKeyAndWhatIsAllowed) {
       {pipes, "rotation_rpm = 60", "rotation_rpm = -60", "rotation_rpm = -60"},
       {pipes, "rotation_rpm = 60", "rotation_rpm = nan", "rotation_rpm"},
       {pipes, "length_m = 150", "length_m = 0", "length_m = 0"},
-      {pipes, "inner_diameter_mm = 108.61", "inner_diameter_mm = 127", "must be below outer_diameter_mm"},
+      {pipes, "inner_diameter_mm = 108.61", "inner_diameter_mm = 127", "must be below the outer one, 127 mm"},
       {pipes, "inner_diameter_mm = 108.61", "inner_diameter_mm = 108.61\nyoungs_modulus_GPa = 0",
        "youngs_modulus_GPa = 0"},
       {pipes, "step_ms = 0.1", "step_ms = 0", "step_ms = 0"},
