@@ -5,7 +5,9 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 #include "runtime/drillstring/drill_run.hpp"
+#include "runtime/drillstring/pipe_sizes.hpp"
 #include "tests/allocations.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
@@ -89,6 +91,42 @@ TEST(DrillCase, FeetInchesAndPoundsAreTheSameString) {
   EXPECT_DOUBLE_EQ(drill.pipes[0].outer_diameter, 0.127);
   EXPECT_NEAR(drill.pipes[0].linear_mass, 29.76328, 1e-5);
   EXPECT_NEAR(drill.drive.hook_load, 22241.11, 5e-3);
+}
+
+TEST(DrillCase, APipeOfCommonSizeByItsName) {
+  const std::string diameters = "outer_diameter_mm = 127\ninner_diameter_mm = 108.61\n";
+  const std::string named = replaced(pipes, diameters, "size = \"DP 5 19.5\"\n");
+  const runtime::PipeSection pipe = read(named).pipes[0];
+  EXPECT_DOUBLE_EQ(pipe.outer_diameter, 0.127);
+  EXPECT_NEAR(pipe.inner_diameter, 0.1086104, 1e-9);
+  EXPECT_NEAR(pipe.linear_mass, 35.00, 5e-3);  // 23.52 lb/ft
+  EXPECT_EQ(read(replaced(named, "size =", "linear_mass_kg_per_m = 31\nsize =")).pipes[0].linear_mass, 31.0)
+      << "other tool joints";
+  EXPECT_EQ(read(replaced(named, "size =", diameters + "size =")).pipes.size(), 1u) << "the same diameters";
+  EXPECT_EQ(refusal(replaced(named, "DP 5 19.5", "DP 5")),
+            "case.toml: pipe 1: size = 'DP 5' (must be one of 'DP 5 19.5', 'DP 5.5 21.9', 'HWDP 5', 'DC 6.5', 'DC 8', "
+            "'DC 9.5')");
+  EXPECT_EQ(refusal(replaced(named, "size =", "outer_diameter_in = 5.5\nsize =")),
+            "case.toml: pipe 1: size = 'DP 5 19.5' means 127 and 108.61 mm, but its keys say 139.7 and 108.61 mm (give "
+            "one of the two)");
+  EXPECT_NE(refusal(replaced(named, "length_m = 150\n", "")).find("pipe.length_m or length_ft is missing"),
+            std::string::npos);
+}
+
+// Plain-end masses of the API's tables [lb/ft]: 17.93 and 19.81; steel of 7850 kg/m3 is 0.1 % heavier than theirs.
+TEST(PipeSizes, AreThoseOfTheDataSheets) {
+  const auto body = [](const char* name) {
+    const runtime::PipeSize& size = *runtime::find_pipe_size(name);
+    const double area = M_PI / 4 * (std::pow(size.outer_diameter, 2) - std::pow(size.inner_diameter, 2));
+    return 7850.0 * area / base::lb_per_ft;
+  };
+  EXPECT_NEAR(body("DP 5 19.5"), 17.93, 0.03);
+  EXPECT_NEAR(body("DP 5.5 21.9"), 19.81, 0.03);
+  for (const runtime::PipeSize& size : runtime::pipe_sizes()) {
+    EXPECT_LE(size.outer_diameter, size.tool_joint_diameter) << size.name;
+    EXPECT_TRUE(size.linear_mass == 0.0 || size.linear_mass > body(std::string(size.name).c_str()) * base::lb_per_ft)
+        << size.name << ": tool joints are heavier than the body";
+  }
 }
 
 TEST(DrillCase, PipesBecomeChainsWithTheBitAtTheirEnd) {
