@@ -26,7 +26,7 @@ TEST(DrillSurvey, PrintsTheTableAndWritesTheJson) {
   EXPECT_FALSE(has(outcome, "warning"));
   const auto result = json(folder / "s.json");
   EXPECT_EQ(result["stations"], 18);
-  EXPECT_EQ(result["units"]["md"], "m");
+  EXPECT_EQ(result["units"]["measured_depth"], "m");
   EXPECT_EQ(result["units"]["inclination"], "deg");
   for (const char* key : {"md_m", "inclination_deg", "azimuth_deg", "north_m", "east_m", "tvd_m", "dogleg_deg_per_30m",
                           "dogleg_deg_per_100ft"})

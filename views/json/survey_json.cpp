@@ -15,7 +15,7 @@ nlohmann::json as_json(const studies::Survey& survey) {
   };
   return {{"format", survey.format},
           {"units",
-           {{"md", survey.md_unit.name},
+           {{"measured_depth", survey.md_unit.name},
             {"inclination", survey.inclination_unit.name},
             {"azimuth", survey.azimuth_unit.name}}},
           {"stations", points.size()},
