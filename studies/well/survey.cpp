@@ -67,7 +67,10 @@ void end(Survey& survey, const std::string& source, double bit_depth) {
 }  // namespace
 
 Survey read_survey(const std::filesystem::path& file, const SurveyWish& wish) {
-  const SurveyRows rows = rows_of(file, wish.units);
+  return survey_of(rows_of(file, wish.units), wish);
+}
+
+Survey survey_of(const SurveyRows& rows, const SurveyWish& wish) {
   require_good(rows);
   Survey survey{.format = rows.format,
                 .md_unit = rows.length,

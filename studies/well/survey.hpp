@@ -40,6 +40,9 @@ struct SurveyPoint {
 /// `InputError` with file and line for what is no survey, has no units, or has no path.
 Survey read_survey(const std::filesystem::path& file, const SurveyWish& wish = {});
 
+/// The same of rows that are read already. Throws `InputError`.
+Survey survey_of(const SurveyRows& rows, const SurveyWish& wish = {});
+
 /// The stations with what follows from them.
 std::vector<SurveyPoint> survey_points(const Survey& survey);
 
