@@ -91,6 +91,7 @@ void add_comma_rows(TableText& table, const std::string& text) {
   std::vector<base::CsvCell> cells;
   while (rows.next(cells)) {
     std::vector<std::string> row;
+    row.reserve(cells.size());
     for (const base::CsvCell& cell : cells) row.emplace_back(cell.text);
     add_row(table, rows.line(), std::move(row));
   }
