@@ -29,6 +29,7 @@ runtime/fmu         base surrogate/net runtime/bit runtime/core runtime/laws
 runtime/laws        base
 runtime/signal      base peaks
 runtime/source      surrogate/export surrogate/net runtime/bit runtime/core
+runtime/well        base peaks surrogate/net runtime/bit runtime/core runtime/drillstring runtime/laws runtime/signal
 studies             base peaks dem2d surrogate report runtime
 surrogate/export    base peaks surrogate/net
 surrogate/net       base peaks
