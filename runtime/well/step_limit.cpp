@@ -44,8 +44,11 @@ double longest_stable_step(const WellString& string) {
     const double lever = length * length / tumble;  // [1/kg] an end yields to a torque by this, 12 / m of a thin bar
     step = std::min(step, step_of_mode((4.0 * axial + rock) / mass, beta.axial));
     step = std::min(step, step_of_mode(4.0 * joint(&Beam::torsion) / spin, beta.torsion));
-    const double translating = 4.0 * shear / mass + 0.25 * wall * lever;
-    const double turning = shear * lever + wall / mass;
+    // an end that is held sideways by a spring of its own, as stiff as the wall
+    const bool held = (i == 0 && string.guided) || (i + 1 == count && string.upper_end == UpperEnd::table);
+    const double end = held ? WallSpring{}.stiffness * (1.0 / mass + 0.25 * lever) : 0.0;
+    const double translating = 4.0 * shear / mass + std::max(0.25 * wall * lever, end);
+    const double turning = shear * lever + std::max(wall / mass, end);
     step = std::min(step, step_of_mode(std::max(translating, turning) + 4.0 * bending / tumble,
                                        wall > 0.0 ? std::max(wall_beta, beta.shear) : beta.shear));
   }
