@@ -9,14 +9,34 @@ namespace {
 
 constexpr WallSpring guide;  // as stiff as the wall
 
-WellFoot foot_of_bit(const WellString& string, const Columns& columns, std::size_t from) {
-  const Vector3 end = lower_end_of(columns, 0);
-  return foot_on(string.hole[piece_at(string.hole, end, from)].arc, end);
+/// Piece of the hole that the bit is in. That of the joint above it is a good place to begin.
+const HolePiece& piece_of_bit(const WellString& string, const Columns& columns) {
+  return string.hole[piece_at(string.hole, lower_end_of(columns, 0), static_cast<std::size_t>(columns.at(piece, 0)))];
 }
 
-/// The piece of the joint above the bit is a good place to begin.
-std::size_t piece_near_bit(const Columns& columns) {
-  return static_cast<std::size_t>(columns.at(piece, 0));
+/// Friction of the gauge of a guided bit, implicit as at the joints; one body takes all of it.
+void rub_gauge(const WellString& string, WellStringState& state, double h) {
+  Columns& columns = state.columns;
+  BitState& bit = state.bit;
+  const Vector3 d = vector_at(columns, direction, 0), t = bit.tangent, c = cross(t, bit.side);
+  const Vector3 surface = string.gauge_radius * bit.side, arm = columns.at(half_length, 0) * d + surface;
+  const auto slip_now = [&] { return lower_velocity_of(columns, 0) + cross(vector_at(columns, rate, 0), surface); };
+  const Vector3 before = bit.velocity + cross(bit.rate, surface), slip = slip_now();
+  const double half = columns.at(half_length, 0), tumble = columns.at(inverse_inertia, 0);
+  const double mass = columns.at(inverse_mass, 0), r = string.gauge_radius;
+  const SlipImpulse<double> p =
+      slip_impulse(dot(slip, t), dot(slip, c), mass + columns.at(inverse_mass_along, 0),
+                   mass + half * half * tumble + r * r * (tumble + columns.at(inverse_inertia_along, 0)),
+                   h * bit.friction * bit.side_force);
+  const Vector3 impulse = p.along * t + p.around * c;
+  set_vector(columns, velocity, 0,
+             vector_at(columns, velocity, 0) + mass * impulse +
+                 (columns.at(inverse_mass_along, 0) * dot(impulse, d)) * d);
+  set_vector(columns, momentum, 0, vector_at(columns, momentum, 0) + cross(arm, impulse));
+  renew_derived(columns, columns.place_of(0));
+  bit.gauge_drag = p.along / h;
+  bit.gauge_torque = -r * p.around / h;
+  state.work.bit -= 0.5 * dot(impulse, before + slip_now());
 }
 
 }  // namespace
@@ -29,7 +49,8 @@ void load_bit(const WellString& string, WellStringState& state, const BitRockSou
   bit.rate = vector_at(columns, rate, 0);
   Vector3 force = string.tip_force, torque = string.tip_moment;
   if (!string.hole.empty()) {
-    const WellFoot foot = foot_of_bit(string, columns, piece_near_bit(columns));
+    const HolePiece& hole = piece_of_bit(string, columns);
+    const WellFoot foot = foot_on(hole.arc, lower_end_of(columns, 0));
     bit.depth = foot.measured_depth;
     bit.tangent = foot.tangent;
     if (string.guided) {
@@ -37,6 +58,8 @@ void load_bit(const WellString& string, WellStringState& state, const BitRockSou
       const Vector3 side = guide.stiffness * foot.offset + damping;
       force -= side;
       bit.side_force = length(side);
+      bit.side = (1.0 / (bit.side_force + 1e-200)) * side;
+      bit.friction = hole.friction;
       state.work.dampers += h * dot(damping, bit.velocity);
     }
   }
@@ -72,6 +95,7 @@ void finish_bit(const WellString& string, WellStringState& state, double h) {
     set_vector(columns, momentum, 0, vector_at(columns, momentum, 0) - (h * bit.friction_torque) * d);
     renew_derived(columns, columns.place_of(0));
   }
+  if (string.guided && string.gauge_radius > 0.0) rub_gauge(string, state, h);
   const Vector3 velocity = 0.5 * (bit.velocity + lower_velocity_of(columns, 0));
   const Vector3 rate_now = 0.5 * (bit.rate + vector_at(columns, rate, 0));
   state.work.tip += h * (dot(string.tip_force, velocity) + dot(string.tip_moment, rate_now));
@@ -82,7 +106,7 @@ void finish_bit(const WellString& string, WellStringState& state, double h) {
 
 double bit_energy(const WellString& string, const WellStringState& state) {
   if (!string.guided) return 0.0;
-  const WellFoot foot = foot_of_bit(string, state.columns, piece_near_bit(state.columns));
+  const WellFoot foot = offset_from(piece_of_bit(string, state.columns).arc, lower_end_of(state.columns, 0));
   return 0.5 * guide.stiffness * dot(foot.offset, foot.offset);
 }
 

@@ -86,7 +86,10 @@ BITROCK_INTO_BOTH void add_wall(Columns& columns, std::size_t place, const WallS
                                 const JointSide<Real>& a, const JointSide<Real>& b, const InHole<Real>& hole,
                                 Triple<Real>& force_a, Triple<Real>& torque_a, Triple<Real>& force_b,
                                 Triple<Real>& torque_b) {
-  Real room, radius, work;
+  Real room, radius, work, mu, along, back;
+  take(columns, friction, place, mu);
+  take(columns, friction_along, place, along);
+  take(columns, friction_around, place, back);
   take(columns, clearance, place, room);
   take(columns, contact_radius, place, radius);
   take(columns, wall_work, place, work);
@@ -99,8 +102,18 @@ BITROCK_INTO_BOTH void add_wall(Columns& columns, std::size_t place, const WallS
   force_b += half;
   torque_a += cross(a.arm, half);
   torque_b += cross(b.arm, half);
-  const Triple<Real> around = cross(hole.tangent, n);
-  const Triple<Real> slip = v + cross(0.5 * (a.rate + b.rate), radius * n);
+  const Triple<Real> around = cross(hole.tangent, n), surface = radius * n;
+  const Triple<Real> slip = v + cross(0.5 * (a.rate + b.rate), surface);
+  // friction begins with that of the step before, as far as the wall still presses: what sticks then sticks exactly
+  const Real most = mu * push.force;
+  const Real cut = most / larger(most, Real(square_root(along * along + back * back) + 1e-200));
+  const Triple<Real> rub = Real(0.5 * cut * along) * hole.tangent + Real(0.5 * cut * back) * around;
+  force_a += rub;
+  force_b += rub;
+  torque_a += cross(a.arm + surface, rub);
+  torque_b += cross(b.arm + surface, rub);
+  put(columns, friction_along, place, Real(cut * along));
+  put(columns, friction_around, place, Real(cut * back));
   put(columns, wall_normal, place, n);
   put(columns, wall_tangent, place, hole.tangent);
   put(columns, wall_force, place, push.force);
@@ -190,7 +203,7 @@ BITROCK_INTO_BOTH void rub_joints(Columns& columns, std::size_t odd, std::size_t
   for (std::size_t k = 0; k < last; k += width) {
     const JointPlaces at = joint_places(columns, odd, k);
     Triple<Real> n, t, va, vb, la, lb, da, db, wa, wb;
-    Real ma, mb, ea, eb, ia, ib, ja, jb, ha, hb, radius, normal, mu, before_t, before_c, work;
+    Real ma, mb, ea, eb, ia, ib, ja, jb, ha, hb, radius, normal, mu, before_t, before_c, given_t, given_c, work;
     take(columns, wall_force, at.joint, normal);
     take(columns, friction, at.joint, mu);
     take(columns, contact_radius, at.joint, radius);
@@ -198,6 +211,8 @@ BITROCK_INTO_BOTH void rub_joints(Columns& columns, std::size_t odd, std::size_t
     take(columns, wall_tangent, at.joint, t);
     take(columns, slip_along, at.joint, before_t);
     take(columns, slip_around, at.joint, before_c);
+    take(columns, friction_along, at.joint, given_t);
+    take(columns, friction_around, at.joint, given_c);
     take(columns, friction_work, at.joint, work);
     take(columns, velocity, at.above, va);
     take(columns, velocity, at.joint, vb);
@@ -224,8 +239,11 @@ BITROCK_INTO_BOTH void rub_joints(Columns& columns, std::size_t odd, std::size_t
     const Real yield_t = 0.25 * (ma + ea + mb + eb);
     const Real yield_c =
         0.25 * (ma + ha * ha * ia + radius * radius * (ia + ja) + mb + hb * hb * ib + radius * radius * (ib + jb));
-    const SlipImpulse<Real> p = slip_impulse(slip_t, slip_c, yield_t, yield_c, Real(h * mu * normal));
-    const Triple<Real> half = Real(0.5 * p.along) * t + Real(0.5 * p.around) * c;
+    given_t *= h;
+    given_c *= h;
+    const SlipImpulse<Real> p = slip_impulse(Real(slip_t - yield_t * given_t), Real(slip_c - yield_c * given_c),
+                                             yield_t, yield_c, Real(h * mu * normal));
+    const Triple<Real> half = Real(0.5 * (p.along - given_t)) * t + Real(0.5 * (p.around - given_c)) * c;
     va += ma * half + Real(ea * dot(half, da)) * da;
     vb += mb * half + Real(eb * dot(half, db)) * db;
     la += cross(arm_a + surface, half);

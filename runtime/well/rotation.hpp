@@ -59,7 +59,7 @@ BITROCK_INTO_BOTH Triple<Real> to_frame(const Axes<Real>& axes, const Triple<Rea
 
 /// **What** Rotation by a rotation vector whose half is given.
 /// **Equation** (cos h, sin h / h * half), h = |half|, by their series to h^14 and h^15.
-/// **Validity** h up to 1: within 1e-14; then scaled to length 1.
+/// **Validity** h up to 1: within 1e-13.
 template <class Real>
 BITROCK_INTO_BOTH Quaternion<Real> rotation_by_twice(const Triple<Real>& half) {
   const Real h = dot(half, half);

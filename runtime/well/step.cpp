@@ -88,13 +88,15 @@ const Passes& passes() {
 void advance(const WellString& string, WellStringState& state, const RigControls& controls, const BitRockSource& source,
              double h) {
   const Passes& pass = passes();
-  lengthen_top(string, state, controls, h);
+  // half before and half after the forces, which then see the pipe of the middle of the step
+  lengthen_top(string, state, controls, 0.5 * h);
   const std::size_t joints = state.count - (string.upper_end == UpperEnd::clamped ? 0 : 1);
   pass.load(string, state.columns, joints, h);
   load_table(string, state, controls, h);
   load_bit(string, state, source, h);
   pass.kick(state.columns, state.count, joints, h, !string.hole.empty());
   finish_bit(string, state, h);
+  lengthen_top(string, state, controls, 0.5 * h);
   pass.drift(state.columns, state.count, h);
   state.time += h;
 }

@@ -8,10 +8,29 @@ namespace bitrock::runtime {
 
 namespace {
 
-/// Largest step of one mode of frequency w [rad/s] whose damper is beta times its spring.
-double step_of_mode(double w_squared, double beta) {
-  const double w = std::sqrt(w_squared), z = 0.5 * beta * w;
-  return 2.0 / w * (std::sqrt(1.0 + z * z) - z);
+/// A bound of w^2 [1/s^2] from several springs, and of what their dampers add to it.
+struct ModeBound {
+  double squared = 0.0, damped = 0.0;
+  void add(double part, double beta) {
+    squared += part;
+    damped += beta * part;
+  }
+  double step() const {
+    const double w = std::sqrt(squared), z = 0.5 * damped / w;
+    return 2.0 / w * (std::sqrt(1.0 + z * z) - z);
+  }
+};
+
+/// Sum of what the joints below and above segment i have of one stiffness.
+double at_both_ends(const WellString& string, std::size_t i, std::size_t count, double Beam::*stiffness) {
+  const auto compliance = [&](std::size_t k) {
+    return 0.5 * segment_length_of(string, k) / (section_of(string, k).beam.*stiffness);
+  };
+  double sum = 0.0;
+  if (i > 0) sum += 1.0 / (compliance(i - 1) + compliance(i));
+  if (i + 1 < count) sum += 1.0 / (compliance(i) + compliance(i + 1));
+  if (i + 1 == count && string.upper_end != UpperEnd::free) sum += 1.0 / compliance(i);
+  return sum;
 }
 
 }  // namespace
@@ -23,34 +42,33 @@ double longest_stable_step(const WellString& string) {
   const double wall_beta = string.wall.damping / string.wall.stiffness;
   const std::size_t count = segment_count(string);
   for (std::size_t i = 0; i < count; ++i) {
-    // the stiffer of the two joints of a segment: with the shorter neighbour
-    const Beam& beam = section_of(string, i).beam;
+    const StringSection& section = section_of(string, i);
     const double length = segment_length_of(string, i);
-    double shortest = length;
-    if (i > 0) shortest = std::min(shortest, segment_length_of(string, i - 1));
-    if (i + 1 < count) shortest = std::min(shortest, segment_length_of(string, i + 1));
-    const auto joint = [&](double Beam::*stiffness) {
-      double most = beam.*stiffness;
-      if (i > 0) most = std::max(most, section_of(string, i - 1).beam.*stiffness);
-      if (i + 1 < count) most = std::max(most, section_of(string, i + 1).beam.*stiffness);
-      return (i + 1 == count && string.upper_end != UpperEnd::free ? 2.0 : 1.0) * most / (0.5 * (length + shortest));
-    };
-    const double bit = i == 0 ? string.bit_mass : 0.0;
-    const double rock = i == 0 && string.on_rock ? string.bit.contact.stiffness : 0.0;
-    const double mass = beam.mass * length + bit;
-    const double tumble = beam.mass * length * length * length / 12.0 + beam.transverse_inertia * length;
-    const double spin = beam.polar_inertia * length;
-    const double axial = joint(&Beam::axial), shear = joint(&Beam::shear), bending = joint(&Beam::bending);
-    const double lever = length * length / tumble;  // [1/kg] an end yields to a torque by this, 12 / m of a thin bar
-    step = std::min(step, step_of_mode((4.0 * axial + rock) / mass, beta.axial));
-    step = std::min(step, step_of_mode(4.0 * joint(&Beam::torsion) / spin, beta.torsion));
-    // an end that is held sideways by a spring of its own, as stiff as the wall
+    const double mass = section.beam.mass * length + (i == 0 ? string.bit_mass : 0.0);
+    const double spin = section.beam.polar_inertia * length + (i == 0 ? string.bit_inertia : 0.0);
+    const double tumble =
+        section.beam.mass * length * length * length / 12.0 + section.beam.transverse_inertia * length;
+    const double lever = length * length / tumble;  // [1/kg] 12 / m of a thin bar
+    const auto joints = [&](double Beam::*stiffness) { return at_both_ends(string, i, count, stiffness); };
+
+    ModeBound along, around, sideways, tilting;
+    along.add(2.0 * joints(&Beam::axial) / mass, beta.axial);
+    if (i == 0 && string.on_rock)
+      along.add(string.bit.contact.stiffness / mass, string.bit.contact.damping / string.bit.contact.stiffness);
+    around.add(2.0 * joints(&Beam::torsion) / spin, beta.torsion);
+    // neighbours that move apart, and neighbours that tilt the same way
+    sideways.add(2.0 * joints(&Beam::shear) / mass, beta.shear);
+    tilting.add(0.5 * joints(&Beam::shear) * lever, beta.shear);
+    for (ModeBound* mode : {&sideways, &tilting}) mode->add(2.0 * joints(&Beam::bending) / tumble, beta.bending);
     const bool held = (i == 0 && string.guided) || (i + 1 == count && string.upper_end == UpperEnd::table);
-    const double end = held ? WallSpring{}.stiffness * (1.0 / mass + 0.25 * lever) : 0.0;
-    const double translating = 4.0 * shear / mass + std::max(0.25 * wall * lever, end);
-    const double turning = shear * lever + std::max(wall / mass, end);
-    step = std::min(step, step_of_mode(std::max(translating, turning) + 4.0 * bending / tumble,
-                                       wall > 0.0 ? std::max(wall_beta, beta.shear) : beta.shear));
+    if (held) {  // its end, by a spring of its own as stiff as the wall
+      for (ModeBound* mode : {&sideways, &tilting})
+        mode->add(WallSpring{}.stiffness * (1.0 / mass + 0.25 * lever), i == 0 ? wall_beta : beta.shear);
+    } else {  // the wall at joints that tilt in turn, and at joints that move together
+      sideways.add(0.25 * wall * lever, wall_beta);
+      tilting.add(wall / mass, wall_beta);
+    }
+    for (const ModeBound& mode : {along, around, sideways, tilting}) step = std::min(step, mode.step());
   }
   return step;
 }

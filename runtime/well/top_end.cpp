@@ -81,8 +81,10 @@ void load_table(const WellString& string, WellStringState& state, const RigContr
   const Vector3 end = upper_end_of(columns, top), v = upper_velocity_of(columns, top);
   const Vector3 d = vector_at(columns, direction, top);
   const double low = end.z - state.top.reference;
-  const Vector3 damping{beta.shear * springs.sideways * v.x, beta.shear * springs.sideways * v.y,
-                        beta.axial * springs.hoist * v.z};
+  // new pipe comes in between: the hoist's spring becomes longer by what the pipe moves less what is fed
+  const Vector3 stretching = v - controls.feed_speed * d;
+  const Vector3 damping{beta.shear * springs.sideways * stretching.x, beta.shear * springs.sideways * stretching.y,
+                        beta.axial * springs.hoist * stretching.z};
   const Vector3 force = -(Vector3{springs.sideways * end.x, springs.sideways * end.y, springs.hoist * low} + damping);
   const double behind = controls.drive_speed - spin_of(columns, top);
   const double braking = beta.torsion * springs.drive * behind;
@@ -91,7 +93,8 @@ void load_table(const WellString& string, WellStringState& state, const RigContr
   set_vector(columns, torque_below, top, cross(end - vector_at(columns, position, top), force) + torque * d);
   state.top.hook_load = -force.z;
   state.top.drive_torque = torque;
-  state.work.dampers += h * (dot(damping, v) + braking * behind);
+  state.work.dampers += h * (dot(damping, stretching) + braking * behind);
+  state.work.growth -= h * controls.feed_speed * dot(damping, d);
   state.work.drive += h * torque * 0.5 * (controls.drive_speed + state.top.drive_speed);
   state.top.drive_speed = controls.drive_speed;
   state.top.drive_angle += h * controls.drive_speed;

@@ -17,7 +17,7 @@ namespace bitrock::runtime {
 void lengthen_top(const WellString& string, WellStringState& state, const RigControls& controls, double h);
 
 /// **What** Hoist and drive on the uppermost segment, as loads of its upper end.
-/// **Equation** H = k e + c e', k = 2 EA / L; sideways a spring of 5e7 N/m; T = k_t (Phi - sigma) + c_t (Phi' -
+/// **Equation** H = k e + c (e' - v), k = 2 EA / L; sideways a spring of 5e7 N/m; T = k_t (Phi - sigma) + c_t (Phi' -
 /// sigma'), k_t = 2 GJ / L.
 /// **Symbols** e [m] depth of the upper end below the point where the hoist's spring is free; Phi [rad] angle of the
 /// drive; sigma [rad] turns of the segment, counted beyond one turn.

@@ -56,6 +56,7 @@ struct WellString {
   Growth growth = Growth::split;        ///< at the table
   double longest_grown = 0.0;           ///< [m] most pipe that is added
   bool guided = false;                  ///< the lower end is held on the centre line of the hole
+  double gauge_radius = 0.0;  ///< [m] of a guided bit that rubs on the hole like a joint; 0: it does not
   bool on_rock = false;                 ///< the laws at the bit act, on the piece of the hole it is in
   BitRock bit;                          ///< those laws
   double bit_mass = 0.0,
@@ -85,9 +86,12 @@ struct TopState {
 struct BitState : BitRockState {
   double depth = 0.0;       ///< [m] measured depth of the bit, along the hole; `face` is measured alike
   double side_force = 0.0;  ///< [N] of the hole that guides the bit
-  Vector3 tangent;          ///< down the hole at the bit
-  Vector3 velocity;         ///< [m/s] of the lower end before the step
-  Vector3 rate;             ///< [rad/s] of the lowest segment before the step
+  double gauge_torque = 0.0, gauge_drag = 0.0;  ///< [N m], [N] of its friction there, against turning and down the hole
+  double friction = 0.0;                        ///< [1] of the hole at the bit
+  Vector3 side;                                 ///< unit vector from the centre line to the lower end
+  Vector3 tangent;                              ///< down the hole at the bit
+  Vector3 velocity;                             ///< [m/s] of the lower end before the step
+  Vector3 rate;                                 ///< [rad/s] of the lowest segment before the step
 };
 
 /// Work so far [J]; besides the columns of joints and segments.
