@@ -29,9 +29,9 @@ void rub_gauge(const WellString& string, WellStringState& state, double h) {
                    mass + half * half * tumble + r * r * (tumble + columns.at(inverse_inertia_along, 0)),
                    h * bit.friction * bit.side_force);
   const Vector3 impulse = p.along * t + p.around * c;
-  set_vector(columns, velocity, 0,
-             vector_at(columns, velocity, 0) + mass * impulse +
-                 (columns.at(inverse_mass_along, 0) * dot(impulse, d)) * d);
+  set_vector(
+      columns, velocity, 0,
+      vector_at(columns, velocity, 0) + mass * impulse + (columns.at(inverse_mass_along, 0) * dot(impulse, d)) * d);
   set_vector(columns, momentum, 0, vector_at(columns, momentum, 0) + cross(arm, impulse));
   renew_derived(columns, columns.place_of(0));
   bit.gauge_drag = p.along / h;

@@ -82,10 +82,20 @@ BITROCK_INTO_BOTH Quaternion<Real> normalised(const Quaternion<Real>& q) {
   return {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
 }
 
-/// The rotation that takes the first axis (north) to the unit vector `direction` by the shortest way.
+/// The shortest rotation that takes the unit vector `from` to the unit vector `to`: it does not twist.
+inline Rotation rotation_between(const Vector3& from, const Vector3& to) {
+  const double cosine = dot(from, to);
+  if (cosine < -0.999999999) {
+    const Vector3 axis = any_across(from);
+    return {0.0, axis.x, axis.y, axis.z};
+  }
+  const Vector3 sine = cross(from, to);
+  return normalised(Rotation{1.0 + cosine, sine.x, sine.y, sine.z});
+}
+
+/// The one that takes the first axis (north) to `direction`.
 inline Rotation rotation_to(const Vector3& direction) {
-  if (direction.x < -0.999999999) return {0.0, 0.0, 0.0, 1.0};
-  return normalised(Rotation{1.0 + direction.x, 0.0, -direction.z, direction.y});
+  return rotation_between({1.0, 0.0, 0.0}, direction);
 }
 
 }  // namespace bitrock::runtime

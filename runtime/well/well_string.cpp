@@ -252,13 +252,17 @@ WellStringState hung_in_hole(const WellString& string) {
     if (round == 0) tension = 0.0;
     const double hoist = section_of(string, top).beam.axial / columns.at(half_length, top);
     double depth = tension / hoist;
+    Vector3 d{0.0, 0.0, 1.0};
+    Rotation q = rotation_to(d);  // handed down from segment to segment without a twist
     for (std::size_t i = top + 1; i-- > 0;) {
       const double below = chord_end(path, depth, 2.0 * columns.at(half_length, i));
       const Vector3 from = point_at(path, depth).position, to = point_at(path, below).position;
       set_vector(columns, position, i, 0.5 * (from + to));
-      set_rotation(columns, i, rotation_to(unit(to - from)));
-      set_vector(columns, direction, i, unit(to - from));
-      if (round > 0) tension -= columns.at(weight, i) * unit(to - from).z;
+      q = normalised(rotation_between(d, unit(to - from)) * q);
+      d = unit(to - from);
+      set_rotation(columns, i, q);
+      set_vector(columns, direction, i, d);
+      if (round > 0) tension -= columns.at(weight, i) * d.z;
       depth = below + (i > 0 ? tension / columns.at(axial_stiffness, i - 1) : 0.0);
       if (i == 0) state.bit.depth = below;
     }

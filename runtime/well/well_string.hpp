@@ -56,7 +56,7 @@ struct WellString {
   Growth growth = Growth::split;        ///< at the table
   double longest_grown = 0.0;           ///< [m] most pipe that is added
   bool guided = false;                  ///< the lower end is held on the centre line of the hole
-  double gauge_radius = 0.0;  ///< [m] of a guided bit that rubs on the hole like a joint; 0: it does not
+  double gauge_radius = 0.0;            ///< [m] of a guided bit that rubs on the hole like a joint; 0: it does not
   bool on_rock = false;                 ///< the laws at the bit act, on the piece of the hole it is in
   BitRock bit;                          ///< those laws
   double bit_mass = 0.0,
