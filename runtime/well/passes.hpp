@@ -94,6 +94,13 @@ BITROCK_INTO_BOTH void add_wall(Columns& columns, std::size_t place, const WallS
   take(columns, contact_radius, place, radius);
   take(columns, wall_work, place, work);
   const Real distance = square_root(dot(hole.offset, hole.offset)) + 1e-200;
+  if (!any_above_zero(Real(distance - room))) {
+    constexpr Real nothing{};
+    put(columns, wall_force, place, nothing);
+    put(columns, friction_along, place, nothing);
+    put(columns, friction_around, place, nothing);
+    return;
+  }
   const Triple<Real> n = Real(1.0 / distance) * hole.offset;
   const Triple<Real> v = 0.5 * (a.velocity + b.velocity);
   const WallPush<Real> push = wall_push(wall, Real(distance - room), dot(v, n));
@@ -205,6 +212,7 @@ BITROCK_INTO_BOTH void rub_joints(Columns& columns, std::size_t odd, std::size_t
     Triple<Real> n, t, va, vb, la, lb, da, db, wa, wb;
     Real ma, mb, ea, eb, ia, ib, ja, jb, ha, hb, radius, normal, mu, before_t, before_c, given_t, given_c, work;
     take(columns, wall_force, at.joint, normal);
+    if (!any_above_zero(normal)) continue;
     take(columns, friction, at.joint, mu);
     take(columns, contact_radius, at.joint, radius);
     take(columns, wall_normal, at.joint, n);
