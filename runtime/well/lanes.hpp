@@ -72,7 +72,9 @@ BITROCK_INTO_BOTH bool any_below_zero(const FourNumbers& x) {
   return ((below[0] | below[1]) | (below[2] | below[3])) != 0;
 }
 
-BITROCK_INTO_BOTH bool any_above_zero(double x) { return x > 0.0; }
+BITROCK_INTO_BOTH bool any_above_zero(double x) {
+  return x > 0.0;
+}
 BITROCK_INTO_BOTH bool any_above_zero(const FourNumbers& x) {
   const FourWords above = x > 0.0;
   return ((above[0] | above[1]) | (above[2] | above[3])) != 0;

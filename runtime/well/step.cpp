@@ -73,21 +73,22 @@ void drift_plain(Columns& columns, std::size_t count, double h) {
   drift_all(columns, count, h);
 }
 
-const Passes& passes() {
-  static const Passes chosen = [] {
+/// The widest that the machine has, or the plain ones.
+const Passes& passes(bool plain) {
+  static constexpr Passes plain_passes{load_plain, kick_plain, drift_plain};
 #ifdef BITROCK_WIDE
-    if (__builtin_cpu_supports("avx2") != 0) return Passes{load_wide, kick_wide, drift_wide};
+  static constexpr Passes wide_passes{load_wide, kick_wide, drift_wide};
+  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  if (wide && !plain) return wide_passes;
 #endif
-    return Passes{load_plain, kick_plain, drift_plain};
-  }();
-  return chosen;
+  return plain_passes;
 }
 
 }  // namespace
 
 void advance(const WellString& string, WellStringState& state, const RigControls& controls, const BitRockSource& source,
              double h) {
-  const Passes& pass = passes();
+  const Passes& pass = passes(string.plain_vectors);
   // half before and half after the forces, which then see the pipe of the middle of the step
   lengthen_top(string, state, controls, 0.5 * h);
   const std::size_t joints = state.count - (string.upper_end == UpperEnd::clamped ? 0 : 1);
@@ -102,7 +103,7 @@ void advance(const WellString& string, WellStringState& state, const RigControls
 }
 
 void drift(Columns& columns, std::size_t count, double h) {
-  passes().drift(columns, count, h);
+  passes(false).drift(columns, count, h);
 }
 
 JointLoad<double> joint_now(const Columns& columns, std::size_t i) {

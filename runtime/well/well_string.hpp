@@ -63,6 +63,7 @@ struct WellString {
          bit_inertia =
              0.0;  ///< [kg], [kg m^2] about the axis, of the bit; its mass sits at the centre of the lowest segment
   Vector3 tip_force, tip_moment;  ///< [N], [N m] on the lower end, in the world
+  bool plain_vectors = false;     ///< on a machine with wide vectors, too: the same bits, only slower
 };
 
 /// What the rig does in one step.
