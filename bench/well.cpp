@@ -88,7 +88,7 @@ int main() {
         string.on_rock = true;
         string.bit.advance_law = AdvanceLaw::imposed;
         string.bit.imposed_advance = 4e-3;
-        rest.bit.face = rest.bit.depth;
+        rest.top.reference += 0.1;  // [m] slacks off on the rock
       }
       const auto run = [&](int count) {
         BitForce force(bit, model);

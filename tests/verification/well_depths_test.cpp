@@ -81,7 +81,8 @@ TEST(WellDepths, TheFrictionlessHookCarriesTheWeightOverTheVerticalDepth) {
     const double expected = weight_over_depth(state.bit.depth) - pipe_weight * stretch - 119.1 * collar_bends -
                             20.1 * pipe_bends + 119.1 * collar_straightens;
     // 1e-4 but at 1500 m, where the energy of a joint that passes the end of the build comes in steps of 10 m
-    EXPECT_NEAR(state.top.hook_load, expected, (row.bit < 1500.0 ? 1e-4 : 4e-4) * expected) << row.bit << " bit at " << state.bit.depth;
+    EXPECT_NEAR(state.top.hook_load, expected, (row.bit < 1500.0 ? 1e-4 : 4e-4) * expected)
+        << row.bit << " bit at " << state.bit.depth;
     EXPECT_LT(state.bit.depth - row.bit, 0.8);
     EXPECT_GT(state.bit.depth - row.bit, -0.2);
   }
@@ -188,7 +189,8 @@ TEST(WellDepths, BendingDampersBrakeAStringThatTurns) {
     const Vector3 m = joint_now(state.columns, i).section_moment;
     bent += 0.5 * (m.y * m.y + m.z * m.z) / state.columns.at(bending_stiffness, i);
   }
-  // 22 755 J if pipe and collars had the curvature of the hole everywhere; they do not where they change and at the ends
+  // 22 755 J if pipe and collars had the curvature of the hole everywhere; they do not where they change and at the
+  // ends
   EXPECT_NEAR(bent, 22755.0, 0.04 * 22755.0);
   for (std::size_t i = 0; i < state.count; ++i) {
     const double inertia = 1.0 / (state.columns.at(inverse_inertia, i) + state.columns.at(inverse_inertia_along, i));
