@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/number.hpp"
+#include "base/oilfield_key.hpp"
 #include "base/text.hpp"
 #include "base/unit_hint.hpp"
 
@@ -42,7 +44,8 @@ struct ConfigFile::State {
   std::string name;
   std::filesystem::path folder;
   std::set<std::string> known_tables{""};
-  std::set<std::string> known_keys;  // "section.key"; entries of an array of tables share theirs
+  std::set<std::string> known_keys;               // "section.key"; entries of an array of tables share theirs
+  std::map<std::string, std::string> written_as;  // "section.length_m" -> "length_ft", where the file has that
 
   [[noreturn]] void refuse(const toml::node& node, const std::string& what, const std::string& why) const {
     throw InputError(fmt::format("{}:{}: {} ({})", name, node.source().begin.line, what, why));
@@ -210,7 +213,10 @@ std::string allowed_text(const Field& field) {
 std::string misspelt(const Field& field, const toml::table& table, const Section& section) {
   std::vector<std::string> strangers;
   for (const auto& [key, node] : table) {
-    const auto known = [&key = key](const Field& other) { return other.name == key.str(); };
+    const auto known = [&key = key](const Field& other) {
+      const std::optional<Field> oilfield = in_oilfield_unit(other);
+      return other.name == key.str() || (oilfield && oilfield->name == key.str());
+    };
     if (std::none_of(section.fields.begin(), section.fields.end(), known)) strangers.emplace_back(key.str());
   }
   const std::string nearest = nearest_name(field.name, strangers);
@@ -229,16 +235,24 @@ template <class State, class Refuse>
 void fill_table(State& state, const toml::table& table, const Section& section, int line, const Refuse& refuse) {
   for (const Field& field : section.fields) {
     require_limits(field);
+    const std::optional<Field> other = in_oilfield_unit(field);
+    const bool other_written = other && table.contains(other->name);
+    const Field& written = other_written ? *other : field;
     state.known_keys.insert(qualified(section.name, field.name));
-    const toml::node* node = table.get(field.name);
+    if (other) state.known_keys.insert(qualified(section.name, other->name));
+    if (other_written) state.written_as[qualified(section.name, field.name)] = other->name;
+    const auto refuse_value = [&](const toml::node& at, const std::string& why) {
+      refuse(at, qualified(section.name, written.name) + " = " + source_text(at), why);
+    };
+    const toml::node* node = table.get(written.name);
+    if (other_written && table.contains(field.name))
+      refuse_value(*node, field.name + " is there too; give one of the two");
     if (node != nullptr) {
-      assign(*node, field, [&](const toml::node& at, const std::string& why) {
-        refuse(at, qualified(section.name, field.name) + " = " + source_text(at), why);
-      });
+      assign(*node, written, refuse_value);
     } else if (field.required) {
-      throw InputError(fmt::format("{}:{}: {} is missing ({}{}){}", state.name, line,
-                                   qualified(section.name, field.name), field.meaning, allowed_text(field),
-                                   misspelt(field, table, section)));
+      throw InputError(fmt::format("{}:{}: {}{} is missing ({}{}){}", state.name, line,
+                                   qualified(section.name, field.name), other ? " or " + other->name : "",
+                                   field.meaning, allowed_text(field), misspelt(field, table, section)));
     }
   }
 }
@@ -361,8 +375,10 @@ void ConfigFile::refuse(const std::string& section, const std::string& key, cons
   const toml::node_view<const toml::node> table = section.empty()
                                                       ? toml::node_view<const toml::node>(state_->root)
                                                       : toml::node_view<const toml::node>(state_->root.get(section));
-  const toml::node* node = table ? table[key].node() : nullptr;
-  if (node != nullptr) state_->refuse(*node, qualified(section, key) + " = " + source_text(*node), why);
+  const auto other = state_->written_as.find(qualified(section, key));
+  const std::string& written = other == state_->written_as.end() ? key : other->second;
+  const toml::node* node = table ? table[written].node() : nullptr;
+  if (node != nullptr) state_->refuse(*node, qualified(section, written) + " = " + source_text(*node), why);
   throw InputError(fmt::format("{}: {} ({})", state_->name, qualified(section, key), why));
 }
 

@@ -60,6 +60,7 @@ struct Field {
   Range range;            ///< of a number, or of each entry of a list
   std::string meaning;    ///< one line for people
   bool required = false;  ///< otherwise the value already in the target is the default
+  bool oilfield = false;  ///< may also be given in the unit of the oil field (`also_in_oilfield_units`)
 };
 
 /// One table of a file: its name and its keys.
@@ -67,6 +68,10 @@ struct Section {
   std::string name;           ///< TOML table; empty for the top level
   std::vector<Field> fields;  ///< in the order of the file
 };
+
+/// Sections of which these keys may also be given in feet, inches, pounds (base/oilfield_key.hpp). A key that no
+/// section has, or that has no such unit, is a fault of the program: throws `std::logic_error`.
+std::vector<Section> also_in_oilfield_units(std::vector<Section> sections, const std::vector<std::string>& keys);
 
 /// A value in the unit of its key need not lead back to the very bits of the SI value it was written from. Where no
 /// number does, the table `[exact]` of a text that a program wrote (`to_exact_toml`) says it in SI: "bed.length_mm" =
@@ -84,7 +89,7 @@ class ConfigFile {
   ConfigFile(ConfigFile&&) noexcept;
 
   /// Fills the fields of one section. A missing section counts as empty. A number whose range lacks a limit is a fault
-  /// of the program: throws `std::logic_error`.
+  /// of the program: throws `std::logic_error`. One value under both its keys, `length_m` and `length_ft`, is refused.
   void fill(const Section& section);
   /// Whether the file has this section, or this key of it.
   bool has(const std::string& section, const std::string& key = "") const;
@@ -97,7 +102,8 @@ class ConfigFile {
   /// Throws `InputError` for the first key or table that nobody read, naming the nearest known one.
   void refuse_unknown() const;
 
-  /// "file.toml:12: key = value (allowed: ...)": for checks that concern several keys at once.
+  /// "file.toml:12: key = value (allowed: ...)": for checks that concern several keys at once. Shows the key that the
+  /// file has, when it has the other one.
   [[noreturn]] void refuse(const std::string& section, const std::string& key, const std::string& why) const;
 
   /// A path written in the file, taken relative to the file's own folder.

@@ -5,6 +5,7 @@
 
 #include <type_traits>
 
+#include "base/oilfield_key.hpp"
 #include "base/units.hpp"
 
 namespace bitrock::base {
@@ -51,8 +52,10 @@ std::vector<KeyRow> key_rows(const std::vector<Section>& sections) {
   std::vector<KeyRow> rows;
   for (const Section& section : sections) {
     for (const Field& field : section.fields) {
+      const std::optional<Field> other = in_oilfield_unit(field);
       rows.push_back({.table = section.name,
                       .key = field.name,
+                      .other = other ? other->name : "",
                       .standard = field.required ? "required" : std::visit(DefaultText{field}, field.target),
                       .allowed = std::visit(IsNumber{}, field.target) ? field.range.text() : "",
                       .meaning = field.meaning});

@@ -12,6 +12,7 @@ namespace bitrock::base {
 struct KeyRow {
   std::string table;     ///< empty for the top level
   std::string key;       ///< ends in its unit
+  std::string other;     ///< key of the same value in the unit of the oil field; empty where there is none
   std::string standard;  ///< value of a key that is left out, in the unit of the key; "required"; "none"
   std::string allowed;   ///< empty for what is no number
   std::string meaning;   ///< as in the list of the reader

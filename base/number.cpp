@@ -7,6 +7,8 @@
 #include <cmath>
 #include <system_error>
 
+#include "base/text.hpp"
+
 namespace bitrock::base {
 
 namespace {
@@ -21,15 +23,9 @@ std::string_view without_plus(std::string_view text) {
   return plus ? text.substr(1) : text;
 }
 
-std::string lower(std::string_view text) {
-  std::string low(text);
-  std::transform(low.begin(), low.end(), low.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  return low;
-}
-
 bool is_not_finite(std::string_view text) {
   if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
-  const std::string name = lower(text);
+  const std::string name = lower_case(text);
   return name == "nan" || name == "inf" || name == "infinity";
 }
 
@@ -65,7 +61,7 @@ std::optional<double> number_in(std::string_view text) {
 std::optional<double> number_or_not_finite_in(std::string_view text) {
   if (const std::optional<double> value = number_in(text)) return value;
   if (!is_not_finite(text)) return std::nullopt;
-  if (lower(text).find("nan") != std::string::npos) return std::nan("");
+  if (lower_case(text).find("nan") != std::string::npos) return std::nan("");
   return text[0] == '-' ? -HUGE_VAL : HUGE_VAL;
 }
 

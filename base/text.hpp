@@ -1,6 +1,6 @@
 #pragma once
-/// Small helpers on text: text from outside made fit to be shown, the nearest known name for a misspelt one, and a
-/// 64-bit fingerprint.
+/// Small helpers on text: text from outside made fit to be shown, the nearest known name for a misspelt one, lower
+/// case, blanks cut off, and a 64-bit fingerprint.
 
 #include <cstdint>
 #include <span>
@@ -25,6 +25,12 @@ std::string json_with_visible_text(std::string_view json);
 
 /// The candidate with the smallest edit distance to `name`, or empty when none is near (more than half of it differs).
 std::string nearest_name(std::string_view name, std::span<const std::string> candidates);
+
+/// With the letters of ASCII in lower case.
+std::string lower_case(std::string_view text);
+
+/// Without the blanks, tabs and line ends around it.
+std::string_view trimmed(std::string_view text);
 
 /// FNV-1a, 64 bit [Fowler1991]: tells two texts or files apart; no protection against forgery.
 constexpr std::uint64_t fingerprint(std::string_view bytes) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/units.hpp"
+
 namespace bitrock::base {
 
 namespace {
@@ -21,14 +23,14 @@ struct KeyUnit {
   std::array<OtherUnit, 3> others;  ///< unused ones have no name
 };
 
-constexpr double inch = 25.4;  // [mm]
+constexpr double inch_in_mm = inch / mm;
 
 // The longest ending counts: `_N_per_m` is no length.
 constexpr std::array key_units{
     KeyUnit{"_MPa", {{{"kPa", 1e-3}, {"Pa", 1e-6}, {"GPa", 1e3}}}},
     KeyUnit{"_GPa", {{{"MPa", 1e-3}, {"kPa", 1e-6}, {"Pa", 1e-9}}}},
     KeyUnit{"_um", {{{"mm", 1e3}, {"m", 1e6}, {}}}},
-    KeyUnit{"_mm", {{{"um", 1e-3}, {"m", 1e3}, {"inch", inch}}}},
+    KeyUnit{"_mm", {{{"um", 1e-3}, {"m", 1e3}, {"inch", inch_in_mm}}}},
     KeyUnit{"_m", {{{"mm", 1e-3}, {"km", 1e3}, {}}}},
     KeyUnit{"_mm2", {{{"m2", 1e6}, {}, {}}}},
     KeyUnit{"_kN", {{{"N", 1e-3}, {}, {}}}},
@@ -36,7 +38,12 @@ constexpr std::array key_units{
     KeyUnit{"_kg_per_m3", {{{"g/cm3", 1e3}, {}, {}}}},
     KeyUnit{"_m_per_s", {{{"mm/s", 1e-3}, {}, {}}}},
     KeyUnit{"_m_per_h", {{{"m/s", 3600.0}, {}, {}}}},
+    KeyUnit{"_ft", {{{"m", 1.0 / foot}, {}, {}}}},
+    KeyUnit{"_in", {{{"mm", mm / inch}, {"m", 1.0 / inch}, {}}}},
+    KeyUnit{"_klbf", {{{"lbf", 1e-3}, {}, {}}}},
+    KeyUnit{"_ppg", {{{"kg/m3", 1.0 / ppg}, {}, {}}}},
     KeyUnit{"_per_s", {}},
+    KeyUnit{"_per_ft", {}},
     KeyUnit{"_per_m", {}},
     KeyUnit{"_N_m", {}},
 };
@@ -73,7 +80,7 @@ std::string unit_hint(std::string_view key, double value, const Range& allowed) 
   const OtherUnit* best = nullptr;
   for (const OtherUnit& other : unit->others) {
     if (other.name == nullptr || !(value > 0.0) || !allowed.contains(value * other.factor)) continue;
-    const bool metric = other.factor != inch;
+    const bool metric = other.factor != inch_in_mm;
     if (metric && slightly_outside(value, allowed)) continue;
     if (best == nullptr ||
         off_the_middle(value * other.factor, allowed) < off_the_middle(value * best->factor, allowed))

@@ -1,5 +1,5 @@
-// bitrock drill: a drill string on the rock that the networks describe, and its natural frequencies; `compare` and
-// `map` have files of their own.
+// bitrock drill: a drill string on the rock that the networks describe, and its natural frequencies; `compare`, `map`
+// and `survey` have files of their own.
 #include <memory>
 
 #include "base/files.hpp"
@@ -74,7 +74,8 @@ void run(const Options& options) {
 
 void add_drill(CLI::App& app) {
   CLI::App* drill = app.add_subcommand(
-      "drill", "Computes a drill string on rock: its vibrations in time and its natural frequencies.");
+      "drill",
+      "Computes a drill string on rock: its vibrations in time and its natural frequencies; reads surveys of wells.");
   drill->require_subcommand(1);
 
   auto options = std::make_shared<Options>();
@@ -98,6 +99,7 @@ void add_drill(CLI::App& app) {
   modes->callback([shown] { show_modes(*shown); });
   add_drill_compare(*drill);
   add_drill_map(*drill);
+  add_drill_survey(*drill);
 }
 
 }  // namespace bitrock::cli

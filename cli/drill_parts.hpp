@@ -32,8 +32,9 @@ std::vector<std::filesystem::path> inputs_of(const CaseFlags& flags, const runti
 std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
                               const runtime::DrillSummary& summary);
 
-/// `drill compare` and `drill map`.
+/// `drill compare`, `drill map` and `drill survey`.
 void add_drill_compare(CLI::App& drill);
 void add_drill_map(CLI::App& drill);
+void add_drill_survey(CLI::App& drill);
 
 }  // namespace bitrock::cli

@@ -22,8 +22,8 @@ std::optional<fs::path> data_folder() {
 namespace {
 
 /// Options that name a file to read.
-const std::set<std::string> inputs{"bit",   "case",   "data",     "model",       "rock",
-                                   "study", "target", "--accept", "--init-from", "--model"};
+const std::set<std::string> inputs{"bit",    "case",   "data",     "model",       "rock",   "study",
+                                   "survey", "target", "--accept", "--init-from", "--model"};
 
 /// A path as the user wrote it becomes that of the shipped file, where it means one.
 std::string look_among_shipped(std::string& text) {

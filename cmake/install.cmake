@@ -67,7 +67,7 @@ endfunction()
 # What people run, and what came of it. The program finds it from its own place (cli/shipped.hpp), so the prefix may be
 # moved; in the build folder a link stands in the same place beside the program.
 set(BITROCK_DATA_DIR ${CMAKE_INSTALL_DATADIR}/bitrock)
-bitrock_install_tree(${PROJECT_SOURCE_DIR}/campaigns ${BITROCK_DATA_DIR}/campaigns *.toml features*.csv model.json COMPONENT data)
+bitrock_install_tree(${PROJECT_SOURCE_DIR}/campaigns ${BITROCK_DATA_DIR}/campaigns *.toml features*.csv survey*.csv model.json COMPONENT data)
 bitrock_install_tree(${PROJECT_SOURCE_DIR}/examples ${CMAKE_INSTALL_DOCDIR}/examples *.txt *.md *.c *.cpp *.csv *.toml *.py)
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 bitrock_install_tree(${PROJECT_SOURCE_DIR}/docs ${CMAKE_INSTALL_DOCDIR}/docs *.md *.bib)

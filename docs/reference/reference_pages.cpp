@@ -37,7 +37,8 @@ void print_keys(const char* file, const std::vector<base::KeyRow>& rows) {
   for (const base::KeyRow& row : rows) {
     const std::string table = row.table.empty() ? "" : row.table.front() == '[' ? "[" + row.table + "]" : row.table;
     const std::string key = row.table.empty() ? row.key : fmt::format("{}.{}", table, row.key);
-    fmt::print("| `{}` | {} | {} | {} |\n", key, cell(row.standard), cell(row.allowed), cell(row.meaning));
+    const std::string other = row.other.empty() ? "" : fmt::format(" or `{}`", row.other);
+    fmt::print("| `{}`{} | {} | {} | {} |\n", key, other, cell(row.standard), cell(row.allowed), cell(row.meaning));
   }
 }
 
@@ -46,8 +47,10 @@ void print_all_keys() {
       "# Keys of the input files\n\n"
       "Made by `docs/reference/renew.py` from the lists that the program reads by; do not change it by hand. A key "
       "ends "
-      "in its unit, and default and allowed values are in that unit. *none*: the key may be left out, and nothing "
-      "takes its place. What the files are for: [formats.md](formats.md).\n");
+      "in its unit, and default and allowed values are in that unit. Where there are two keys, of which a file has "
+      "one, "
+      "they are in the unit of the first. *none*: the key may be left out, and nothing takes its place. What the files "
+      "are for: [formats.md](formats.md).\n");
   dem2d::Rock rock;
   print_keys("Rock", base::key_rows(dem2d::describe(rock)));
   print_keys("Target of a calibration", studies::target_keys());

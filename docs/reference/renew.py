@@ -70,6 +70,7 @@ RUNS = [
     ("drill modes", "drill modes short.toml"),
     ("drill compare", f"drill compare short.toml --model {MODEL} --seeds 1,2 -o compare"),
     ("drill compare --check", f"drill compare short.toml --model {MODEL} --check"),
+    ("drill survey", f"drill survey {SHIPPED}/drill/survey_example.csv --bit-depth-m 1700"),
     ("drill map", f"drill map short.toml --model {MODEL} --hook-load-kN 25:30:2 --rotation-rpm 60:90:2 -o map.csv"),
     ("report", "report study -o report.html"),
     ("snapshot", "snapshot run.h5 -o cut.png"),

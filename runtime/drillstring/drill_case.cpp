@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "base/units.hpp"
+#include "runtime/drillstring/pipe_entry.hpp"
 
 namespace bitrock::runtime {
 
@@ -22,8 +23,8 @@ constexpr double most_steps = 1e9;    // an hour or two of one core
 
 // Ranges, in the unit of the key: about ten times beyond what there is, down to rigs on a laboratory bench and up to
 // the deepest wells; near enough to catch a slipped unit.
-const base::Range diameter = between(1.0, 2000.0), arm = zero_or(1.0, 2000.0);  // mm: from a wire to a riser
-const base::Range force = between(0.0, 1e5);                                    // kN; the strongest rigs carry 12,000
+const base::Range arm = zero_or(1.0, 2000.0);  // mm
+const base::Range force = between(0.0, 1e5);   // kN; the strongest rigs carry 12,000
 const base::Range ratio_of_forces = between(0.0, 10.0);
 const base::Range mass = between(1e-3, 1e7), inertia = between(1e-6, 1e6);                       // kg, kg m2: of a lump
 const base::Range axial_spring = between(1.0, 1e13), axial_damper = between(0.0, 1e10);          // N/m, N s/m
@@ -74,21 +75,6 @@ std::string word_of(Enum value, const Meanings<Enum, n>& meanings) {
     if (meaning == value) return name;
   }
   return "";
-}
-
-base::Section describe(PipeSection& pipe) {
-  // The deepest wells have 15 km. Plastic pipe to sintered carbide; light alloy to tungsten; no pipe has 10 t/m.
-  const base::Range length = between(1e-3, 2e4), youngs = between(0.1, 2000.0), shear = between(0.03, 1000.0);
-  const base::Range density = between(500.0, 3e4), linear_mass = zero_or(0.01, 1e4);
-  const base::Range bore = zero_or(0.5, 2000.0);
-  return {"pipe",
-          {{"length_m", &pipe.length, 1.0, length, "of the section", true},
-           {"outer_diameter_mm", &pipe.outer_diameter, mm, diameter, "of the pipe body", true},
-           {"inner_diameter_mm", &pipe.inner_diameter, mm, bore, "of the pipe body", true},
-           {"youngs_modulus_GPa", &pipe.youngs_modulus, GPa, youngs, "of the steel"},
-           {"shear_modulus_GPa", &pipe.shear_modulus, GPa, shear, "of the steel"},
-           {"density_kg_per_m3", &pipe.density, 1.0, density, "of the steel"},
-           {"linear_mass_kg_per_m", &pipe.linear_mass, 1.0, linear_mass, "with tool joints; 0: of the body"}}};
 }
 
 base::Section describe_string(DrillCase& drill, Words& words) {
@@ -225,7 +211,11 @@ std::vector<base::Section> describe(DrillCase& drill, Words& words) {
   for (const auto part : {describe_bit_rock, describe_run}) {
     for (base::Section& section : part(drill, words)) sections.push_back(std::move(section));
   }
-  return sections;
+  return base::also_in_oilfield_units(
+      std::move(sections),
+      {"torque_kN_m", "hook_load_kN", "friction_radius_mm", "normal_force_kN", "radius_mm", "threshold_weight_kN",
+       "imposed_weight_kN", "pressure_drop_MPa", "nozzle_area_mm2", "density_kg_per_m3", "force_mean_kN",
+       "force_deviation_kN", "torque_mean_N_m", "torque_deviation_N_m"});
 }
 
 void take_words(const base::ConfigFile& file, const Words& words, DrillCase& drill) {
@@ -257,14 +247,7 @@ Words words_of(const DrillCase& drill) {
 void read_pipes(base::ConfigFile& file, DrillCase& drill, Words& words) {
   file.fill(describe_string(drill, words));
   for (int i = 0; i < file.count("pipe"); ++i) {
-    PipeSection pipe;
-    file.fill_entry(describe(pipe), i);
-    if (pipe.inner_diameter >= pipe.outer_diameter) {
-      throw base::InputError(
-          fmt::format("{}: pipe {}: inner_diameter_mm = {:.6g} (must be below outer_diameter_mm = {:.6g})", file.name(),
-                      i + 1, pipe.inner_diameter / mm, pipe.outer_diameter / mm));
-    }
-    drill.pipes.push_back(pipe);
+    drill.pipes.push_back(read_pipe(file, i));
   }
 }
 
@@ -399,11 +382,12 @@ std::vector<base::KeyRow> drill_keys() {
   DrillCase drill;
   Words words;
   PipeSection pipe;
+  std::string size;
   std::vector<base::Section> sections = describe(drill, words);
   const auto behind_name = sections.begin() + 1;
-  std::vector<base::Section> string{describe_string(drill, words), describe(pipe), describe_axial(drill.axial),
-                                    describe_torsion(drill.torsional)};
-  string[1].name = "[pipe]";  // an array of tables
+  std::vector<base::Section> string{describe_string(drill, words), describe_size(size), describe(pipe),
+                                    describe_axial(drill.axial), describe_torsion(drill.torsional)};
+  string[1].name = string[2].name = "[pipe]";  // an array of tables
   sections.insert(behind_name, string.begin(), string.end());
   return base::key_rows(sections);
 }

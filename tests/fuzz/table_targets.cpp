@@ -7,6 +7,7 @@
 #include "studies/calibrate/journal.hpp"
 #include "studies/campaign/accepted.hpp"
 #include "studies/campaign/features.hpp"
+#include "studies/well/survey.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/data.hpp"
 #include "tests/fuzz/targets.hpp"
@@ -119,6 +120,20 @@ std::vector<Target> table_targets() {
                           [](const std::string& path) { studies::Journal(path, "inputs of a test"); });
            },
        .seeds = {journal()}},
+      {.name = "survey",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(bytes, "survey.csv",
+                          [](const std::string& path) { studies::survey_points(studies::read_survey(path)); });
+           },
+       .seeds =
+           {shipped("campaigns/drill/survey_example.csv"), "MD\tINC\tAZI\n(ft)\t(deg)\t(deg)\n0\t0\t0\n100\t3\t350\n",
+            "MD [m] Incl [deg] Azim [deg] TVD [m]\n10 1 0 10\n100 3 20 99.9\n",
+            "<trajectorys version=\"1.4.1.1\"><trajectory><trajectoryStation><md uom=\"m\">0</md><incl "
+            "uom=\"dega\">0</incl>"
+            "<azi uom=\"dega\">0</azi></trajectoryStation><trajectoryStation><md uom=\"m\">30</md><tvd "
+            "uom=\"m\">30</tvd><incl uom=\"dega\">3</incl><azi uom=\"dega\">10</azi></trajectoryStation></trajectory>"
+            "</trajectorys>"}},
       {.name = "model_json",
        .read =
            [](std::string_view bytes) {

@@ -15,7 +15,7 @@ empty=$(find "$scratch/moved to" -type d -empty)
 bitrock="$scratch/moved to/bin/bitrock"
 shipped="$scratch/moved to/share/bitrock/campaigns"
 for file in paper240/model.json paper240/features.csv paper240/features_mean.csv paper240.toml demo.toml eight.toml \
-  bits/pdc15.toml cuts/example.toml drill/normal.toml rocks/article.toml rocks/targets/article.toml; do
+  bits/pdc15.toml cuts/example.toml drill/normal.toml drill/survey_example.csv rocks/article.toml rocks/targets/article.toml; do
   [ -s "$shipped/$file" ] || { echo "not installed: $file"; exit 1; }
 done
 [ -s "$scratch/moved to/share/doc/bitrock/docs/reference/formats.md" ] || { echo "not installed: docs/reference/formats.md"; exit 1; }
@@ -33,6 +33,7 @@ for case in normal stick_slip bit_bounce; do
 done
 ./here drill run campaigns/drill/normal.toml --quiet -o normal.h5
 ./here drill map campaigns/drill/stick_slip.toml --check --quiet
+./here drill survey campaigns/drill/survey_example.csv --quiet
 ./here drill compare campaigns/drill/bit_bounce.toml --check --quiet -o compare
 ./here export c $model --quiet -o model.c
 ./here export matlab $model --quiet

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 #include "runtime/drillstring/drill_run.hpp"
+#include "runtime/drillstring/pipe_sizes.hpp"
 #include "tests/allocations.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
@@ -80,6 +82,53 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
+TEST(DrillCase, FeetInchesAndPoundsAreTheSameString) {
+  std::string text = replaced(pipes, "length_m = 150", "length_ft = 500\nlinear_mass_lb_per_ft = 20");
+  text = replaced(text, "outer_diameter_mm = 127", "outer_diameter_in = 5");
+  text = replaced(text, "hook_load_kN = 25", "hook_load_klbf = 5");
+  const runtime::DrillCase drill = read(text);
+  EXPECT_DOUBLE_EQ(drill.pipes[0].length, 152.4);
+  EXPECT_DOUBLE_EQ(drill.pipes[0].outer_diameter, 0.127);
+  EXPECT_NEAR(drill.pipes[0].linear_mass, 29.76328, 1e-5);
+  EXPECT_NEAR(drill.drive.hook_load, 22241.11, 5e-3);
+}
+
+TEST(DrillCase, APipeOfCommonSizeByItsName) {
+  const std::string diameters = "outer_diameter_mm = 127\ninner_diameter_mm = 108.61\n";
+  const std::string named = replaced(pipes, diameters, "size = \"DP 5 19.5\"\n");
+  const runtime::PipeSection pipe = read(named).pipes[0];
+  EXPECT_DOUBLE_EQ(pipe.outer_diameter, 0.127);
+  EXPECT_NEAR(pipe.inner_diameter, 0.1086104, 1e-9);
+  EXPECT_NEAR(pipe.linear_mass, 35.00, 5e-3);  // 23.52 lb/ft
+  EXPECT_EQ(read(replaced(named, "size =", "linear_mass_kg_per_m = 31\nsize =")).pipes[0].linear_mass, 31.0)
+      << "other tool joints";
+  EXPECT_EQ(read(replaced(named, "size =", diameters + "size =")).pipes.size(), 1u) << "the same diameters";
+  EXPECT_EQ(refusal(replaced(named, "DP 5 19.5", "DP 5")),
+            "case.toml: pipe 1: size = 'DP 5' (must be one of 'DP 5 19.5', 'DP 5.5 21.9', 'HWDP 5', 'DC 6.5', 'DC 8', "
+            "'DC 9.5')");
+  EXPECT_EQ(refusal(replaced(named, "size =", "outer_diameter_in = 5.5\nsize =")),
+            "case.toml: pipe 1: size = 'DP 5 19.5' means 127 and 108.61 mm, but its keys say 139.7 and 108.61 mm (give "
+            "one of the two)");
+  EXPECT_NE(refusal(replaced(named, "length_m = 150\n", "")).find("pipe.length_m or length_ft is missing"),
+            std::string::npos);
+}
+
+// Plain-end masses of the API's tables [lb/ft]: 17.93 and 19.81; steel of 7850 kg/m3 is 0.1 % heavier than theirs.
+TEST(PipeSizes, AreThoseOfTheDataSheets) {
+  const auto body = [](const char* name) {
+    const runtime::PipeSize& size = *runtime::find_pipe_size(name);
+    const double area = M_PI / 4 * (std::pow(size.outer_diameter, 2) - std::pow(size.inner_diameter, 2));
+    return 7850.0 * area / base::lb_per_ft;
+  };
+  EXPECT_NEAR(body("DP 5 19.5"), 17.93, 0.03);
+  EXPECT_NEAR(body("DP 5.5 21.9"), 19.81, 0.03);
+  for (const runtime::PipeSize& size : runtime::pipe_sizes()) {
+    EXPECT_LE(size.outer_diameter, size.tool_joint_diameter) << size.name;
+    EXPECT_TRUE(size.linear_mass == 0.0 || size.linear_mass > body(std::string(size.name).c_str()) * base::lb_per_ft)
+        << size.name << ": tool joints are heavier than the body";
+  }
+}
+
 TEST(DrillCase, PipesBecomeChainsWithTheBitAtTheirEnd) {
   const runtime::DrillString string = runtime::assemble(read(pipes));
   ASSERT_EQ(string.axial.size(), 2u);
@@ -129,7 +178,7 @@ TEST(DrillCase, BadInputIsRefusedWithTheKeyAndWhatIsAllowed) {
       {pipes, "rotation_rpm = 60", "rotation_rpm = -60", "rotation_rpm = -60"},
       {pipes, "rotation_rpm = 60", "rotation_rpm = nan", "rotation_rpm"},
       {pipes, "length_m = 150", "length_m = 0", "length_m = 0"},
-      {pipes, "inner_diameter_mm = 108.61", "inner_diameter_mm = 127", "must be below outer_diameter_mm"},
+      {pipes, "inner_diameter_mm = 108.61", "inner_diameter_mm = 127", "must be below the outer one, 127 mm"},
       {pipes, "inner_diameter_mm = 108.61", "inner_diameter_mm = 108.61\nyoungs_modulus_GPa = 0",
        "youngs_modulus_GPa = 0"},
       {pipes, "step_ms = 0.1", "step_ms = 0", "step_ms = 0"},

@@ -44,6 +44,13 @@ TEST(Text, WhatIsNoUtf8IsShownByteByByte) {
   EXPECT_EQ(base::printable("\xe2\x82"), "\\xE2\\x82") << "the end is missing";
 }
 
+TEST(Text, LowerCaseAndBlanks) {
+  EXPECT_EQ(base::lower_case("MD [Ft] \xc3\x84"), "md [ft] \xc3\x84") << "ASCII alone";
+  EXPECT_EQ(base::trimmed(" \t a b\r\n"), "a b");
+  EXPECT_EQ(base::trimmed(" \t"), "");
+  EXPECT_EQ(base::trimmed(""), "");
+}
+
 TEST(Text, ALongOneLosesItsMiddle) {
   const std::string text = "begin " + std::string(1000000, 'x') + " (what to do)";
   const std::string shown = base::printable(text);
