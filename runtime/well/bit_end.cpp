@@ -73,7 +73,7 @@ void load_bit(const WellString& string, WellStringState& state, const BitRockSou
                               ? bit.weight_on_bit * string.bit.friction_radius *
                                     friction_coefficient(string.bit.friction.smooth, rotation)
                               : 0.0;
-    force -= (bit.weight_on_bit + bit.source_force) * bit.tangent;
+    force -= (bit.weight_on_bit + bit.source_force + string.bit.hydraulic_force) * bit.tangent;
     torque -= (bit.friction_torque + bit.fracture_torque) * d;
   }
   const std::size_t below = columns.half - 1;  // where a joint below the bit would have its load
@@ -100,8 +100,9 @@ void finish_bit(const WellString& string, WellStringState& state, double h) {
   const Vector3 rate_now = 0.5 * (bit.rate + vector_at(columns, rate, 0));
   state.work.tip += h * (dot(string.tip_force, velocity) + dot(string.tip_moment, rate_now));
   if (string.on_rock)
-    state.work.bit += h * ((bit.weight_on_bit + bit.source_force) * dot(velocity, bit.tangent) +
-                           (bit.friction_torque + bit.fracture_torque) * dot(rate_now, d));
+    state.work.bit +=
+        h * ((bit.weight_on_bit + bit.source_force + string.bit.hydraulic_force) * dot(velocity, bit.tangent) +
+             (bit.friction_torque + bit.fracture_torque) * dot(rate_now, d));
 }
 
 double bit_energy(const WellString& string, const WellStringState& state) {
