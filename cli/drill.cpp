@@ -102,6 +102,7 @@ void add_drill(CLI::App& app) {
   modes->callback([shown] { show_modes(*shown); });
   add_drill_compare(*drill);
   add_drill_map(*drill);
+  add_drill_fatigue(*drill);
   add_drill_statics(*drill);
   add_drill_survey(*drill);
 }

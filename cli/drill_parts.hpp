@@ -37,6 +37,7 @@ void run_in_well(const CommonOptions& common, const CaseFlags& flags, int seed, 
 
 /// `drill compare`, `drill map`, `drill statics` and `drill survey`.
 void add_drill_compare(CLI::App& drill);
+void add_drill_fatigue(CLI::App& drill);
 void add_drill_map(CLI::App& drill);
 void add_drill_statics(CLI::App& drill);
 void add_drill_survey(CLI::App& drill);

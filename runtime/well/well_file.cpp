@@ -10,9 +10,6 @@ namespace bitrock::runtime {
 
 namespace {
 
-constexpr const char* format_name = "bitrock-well";
-constexpr long long format_version = 1;
-
 struct SeriesEntry {
   const char* path;
   std::vector<double> WellSeries::*values;
@@ -34,10 +31,10 @@ constexpr std::array<SeriesEntry, 12> series_entries{
 
 }  // namespace
 
-void write_well_run(const WellRun& run, const std::string& config_toml, const std::string& model,
+void write_well_run(const WellRun& run, const std::string& config_toml, const std::string& model, double settling,
                     const std::filesystem::path& path) {
   base::Hdf5Writer file;
-  file.head(format_name, format_version);
+  file.head(well_format, well_format_version);
   file.attribute("config_toml", config_toml);
   file.attribute("model_fingerprint", model);
   file.attribute("step_s", run.step);
@@ -47,9 +44,16 @@ void write_well_run(const WellRun& run, const std::string& config_toml, const st
   file.attribute("torsional_pass_band_Hz", run.summary.torsional_pass_band);
   for (const SeriesEntry& entry : series_entries)
     file.array(entry.path, run.series.*entry.values, entry.units, entry.meaning);
-  for (std::size_t p = 0; p < run.stresses.size(); ++p)
+  file.attribute("settling_s", settling);
+  file.attribute("stress_points", static_cast<long long>(run.stresses.size()));
+  std::vector<double> depths;
+  for (std::size_t p = 0; p < run.stresses.size(); ++p) {
     file.array(fmt::format("/stress/point_{}_Pa", p + 1), run.series.stress_Pa[p], "Pa",
                "tension and bending of a point that turns with the pipe: " + run.stresses[p].point.name);
+    file.attribute(fmt::format("stress_point_{}", p + 1), run.stresses[p].point.name);
+    depths.push_back(run.stresses[p].stress.measured_depth);
+  }
+  if (!depths.empty()) file.array("/stress/measured_depth_m", depths, "m", "where the points were at the end");
   file.attribute("status", "complete");
   file.save(path);
 }

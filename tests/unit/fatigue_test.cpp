@@ -5,7 +5,11 @@
 #include <numbers>
 
 #include "base/errors.hpp"
+#include "base/files.hpp"
+#include "runtime/well/well_file.hpp"
 #include "studies/well/fatigue.hpp"
+#include "studies/well/fatigue_of_run.hpp"
+#include "tests/unit/scratch_folder.hpp"
 
 using namespace bitrock;
 
@@ -108,6 +112,68 @@ TEST(FibreDamage, EightFibresShareTheTension) {
   for (int k = 0; k < 8; ++k)
     sum += studies::fibre_stress(section, {.tension = 1e5, .m2 = 3e3, .m3 = -7e3}, 2.0 * pi * k / 8);
   EXPECT_NEAR(sum, 8.0 * 1e5 / 2e-3, 1.0);
+}
+
+/// A run of 25 s whose two points feel one cycle a second: that of drill pipe in the build, and half of it.
+runtime::WellRun turning_run() {
+  runtime::WellRun run;
+  run.series.stress_Pa.resize(2);
+  run.stresses = {{.point = {.name = "pipe in the build"}, .stress = {.measured_depth = 1300.0}},
+                  {.point = {.name = "half as bent"}, .stress = {.measured_depth = 1400.0}}};
+  for (int k = 0; k <= 25000; ++k) {
+    const double t = 325.0 + 1e-3 * k, stress = 73.885e6 * std::cos(2.0 * pi * t);
+    run.series.time_s.push_back(t);
+    run.series.stress_Pa[0].push_back(stress);
+    run.series.stress_Pa[1].push_back(0.5 * stress);
+  }
+  for (auto* column : {&run.series.hook_load_N, &run.series.drive_torque_N_m, &run.series.drive_rotation_rad_per_s,
+                       &run.series.bit_rotation_rad_per_s, &run.series.weight_on_bit_N, &run.series.source_force_N,
+                       &run.series.torque_on_bit_N_m, &run.series.rop_m_per_s, &run.series.bit_depth_m,
+                       &run.series.fed_m, &run.series.bit_side_force_N})
+    column->assign(run.series.time_s.size(), 0.0);
+  return run;
+}
+
+TEST(FatigueOfARun, DamagePerHourOfPipeThatTurnsInTheBuild) {
+  const scratch::Folder folder("fatigue");
+  runtime::write_well_run(turning_run(), "", "", 325.0, folder / "run.h5");
+  const runtime::StressHistories histories = runtime::read_stress_histories(folder / "run.h5");
+  ASSERT_EQ(histories.points.size(), 2u);
+  EXPECT_EQ(histories.points[0].name, "pipe in the build");
+  EXPECT_EQ(histories.points[1].measured_depth, 1400.0);
+  EXPECT_EQ(histories.settling, 325.0);
+  studies::FatigueWish wish{.curve = *studies::find_sn_curve("B1 air"), .tensile_strength = 689e6};
+  const auto damages = studies::damage_of(histories, wish, "run.h5");
+  EXPECT_NEAR(damages[0].damage_per_hour, 1.311e-3, 0.002e-3);  // 60 rpm
+  EXPECT_NEAR(damages[0].cycles_per_hour, 3600.0, 1.0);
+  EXPECT_NEAR(damages[0].largest_range, 147.77e6, 1e4);
+  // 73.9 MPa are beyond the knee of the curve: slope 5
+  EXPECT_NEAR(damages[1].damage_per_hour, 3600.0 / std::pow(10.0, 17.146 - 5.0 * std::log10(73.885)), 0.001e-4);
+  EXPECT_NEAR(damages[1].hours_to_failure, 1.0 / damages[1].damage_per_hour, 1.0);
+  wish.from = 340.0;  // damage an hour does not depend on how long one looks
+  EXPECT_NEAR(studies::damage_of(histories, wish, "run.h5")[0].damage_per_hour, 1.311e-3, 0.002e-3);
+}
+
+TEST(FatigueOfARun, SaysWhatItCannotCount) {
+  const auto refused = [](const runtime::StressHistories& run, const studies::FatigueWish& wish) {
+    try {
+      studies::damage_of(run, wish, "run.h5");
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const studies::FatigueWish wish{.curve = *studies::find_sn_curve("B1 air"), .tensile_strength = 689e6, .from = 0.0};
+  runtime::StressHistories run{.time = {0.0, 1.0, 2.0, 3.0}};
+  EXPECT_NE(refused(run, wish).find("no stress points (give the case some: [[stress_point]])"), std::string::npos);
+  run.points = {{.name = "a", .measured_depth = 10.0, .stress = {0.0, 700e6, 690e6, 700e6}}};
+  EXPECT_NE(refused(run, wish).find("the mean stress alone reaches the tensile strength of 689 MPa"),
+            std::string::npos);
+  studies::FatigueWish late = wish;
+  late.from = 2.5;
+  EXPECT_NE(refused(run, late).find("run.h5: 1 samples from 2.5 s to 3 s (a cycle needs 3"), std::string::npos);
+  run.points[0].stress.assign(4, 5e6);
+  EXPECT_TRUE(std::isinf(studies::damage_of(run, wish, "run.h5")[0].hours_to_failure)) << "nothing moves: endless";
 }
 
 }  // namespace
