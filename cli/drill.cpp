@@ -8,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/drill_parts.hpp"
 #include "runtime/drillstring/drill_file.hpp"
+#include "runtime/well/well_case.hpp"
 #include "views/json/drill_json.hpp"
 #include "views/text/drill_lines.hpp"
 #include "views/text/drill_plan_lines.hpp"
@@ -39,6 +40,8 @@ void print_plan(const Options& options, const runtime::DrillCase& drill, const r
 }
 
 void run(const Options& options) {
+  if (runtime::has_well(options.drill.file))
+    return run_in_well(options.common, options.drill, options.seed, options.output);
   runtime::DrillCase drill = read_case(options.drill);
   if (options.seed >= 0) drill.source.seed = options.seed;
   const runtime::DrillString string = runtime::assemble(drill);
@@ -99,6 +102,8 @@ void add_drill(CLI::App& app) {
   modes->callback([shown] { show_modes(*shown); });
   add_drill_compare(*drill);
   add_drill_map(*drill);
+  add_drill_fatigue(*drill);
+  add_drill_statics(*drill);
   add_drill_survey(*drill);
 }
 

@@ -32,9 +32,14 @@ std::vector<std::filesystem::path> inputs_of(const CaseFlags& flags, const runti
 std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& model,
                               const runtime::DrillSummary& summary);
 
-/// `drill compare`, `drill map` and `drill survey`.
+/// `drill run` of a case with a well. `seed` below 0: that of the case.
+void run_in_well(const CommonOptions& common, const CaseFlags& flags, int seed, const std::string& output);
+
+/// `drill compare`, `drill map`, `drill statics` and `drill survey`.
 void add_drill_compare(CLI::App& drill);
+void add_drill_fatigue(CLI::App& drill);
 void add_drill_map(CLI::App& drill);
+void add_drill_statics(CLI::App& drill);
 void add_drill_survey(CLI::App& drill);
 
 }  // namespace bitrock::cli

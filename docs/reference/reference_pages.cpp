@@ -17,6 +17,7 @@
 #include "dem2d/cut/cut_case.hpp"
 #include "runtime/bit/bit.hpp"
 #include "runtime/drillstring/drill_case.hpp"
+#include "runtime/well/well_case.hpp"
 #include "studies/calibrate/target.hpp"
 #include "studies/campaign/study.hpp"
 
@@ -59,6 +60,7 @@ void print_all_keys() {
   print_keys("Study", studies::study_keys());
   print_keys("Bit", runtime::bit_keys());
   print_keys("Drilling case", runtime::drill_keys());
+  print_keys("Drilling case with a well, besides", runtime::well_keys());
 }
 
 /// "whole number, 0 to 10" for "INT:INT in [0 - 10]", as the library of the flags has it.

@@ -65,6 +65,19 @@ void require_sensible(const std::string& name, const char* direction, const Chai
 
 }  // namespace
 
+BitRock bit_rock_of(const DrillCase& drill) {
+  BitRock bit = drill.bit_rock;
+  if (bit.friction_radius == 0.0 && !drill.bit.cutters.empty()) bit.friction_radius = mean_radius(drill.bit);
+  bit.hydraulic_force =
+      hydraulic_force(drill.pressure_drop, drill.nozzle_area, drill.jets_push_up ? JetForce::up : JetForce::down);
+  return bit;
+}
+
+double bit_inertia_of(const DrillCase& drill) {
+  const bool as_cylinder = drill.bit_inertia == 0.0 && !drill.bit.cutters.empty();
+  return as_cylinder ? bit_inertia(drill.bit_mass, 0.5 * drill.bit.diameter) : drill.bit_inertia;
+}
+
 DrillString assemble(const DrillCase& drill) {
   DrillString string;
   if (drill.pipes.empty()) {
@@ -77,16 +90,12 @@ DrillString assemble(const DrillCase& drill) {
         torsional_chain(drill.pipes, drill.torsional_lumps, drill.lumping, drill.torsional_damping_ratio);
     string.weights = lump_weights(drill.pipes, drill.axial_lumps, drill.fluid_density);
   }
-  string.bit = drill.bit_rock;
-  const bool has_bit = !drill.bit.cutters.empty();
-  if (string.bit.friction_radius == 0.0 && has_bit) string.bit.friction_radius = mean_radius(drill.bit);
+  string.bit = bit_rock_of(drill);
   if (string.axial.size() > 0) {
     string.axial.inertia.back() += drill.bit_mass;
     string.weights.back() += gravity * drill.bit_mass;
   }
-  const bool as_cylinder = drill.bit_inertia == 0.0 && has_bit;
-  string.torsional.inertia.back() +=
-      as_cylinder ? bit_inertia(drill.bit_mass, 0.5 * drill.bit.diameter) : drill.bit_inertia;
+  string.torsional.inertia.back() += bit_inertia_of(drill);
   string.torsional.wall_damping.back() += drill.bit_damping;
 
   string.drive = drill.drive;
@@ -98,8 +107,6 @@ DrillString assemble(const DrillCase& drill) {
     put_drive_on_top(string.torsional, drill.drive_inertia, drill.drive_damping);
     if (!string.wall_moment.empty()) string.wall_moment.insert(string.wall_moment.begin(), 0.0);
   }
-  string.bit.hydraulic_force =
-      hydraulic_force(drill.pressure_drop, drill.nozzle_area, drill.jets_push_up ? JetForce::up : JetForce::down);
   require_sensible(drill.name, "axial", string.axial);
   require_sensible(drill.name, "torsional", string.torsional);
   return string;

@@ -16,7 +16,7 @@ namespace bitrock::runtime {
 namespace {
 
 using base::any, base::between, base::zero_or;
-using base::deg, base::GPa, base::kN, base::mm, base::mm2, base::MPa, base::ms, base::rpm;
+using base::deg, base::kN, base::m_per_h, base::mm, base::mm2, base::MPa, base::ms, base::rpm;
 
 constexpr double most_samples = 1e7;  // 80 MB for each recorded quantity
 constexpr double most_steps = 1e9;    // an hour or two of one core
@@ -47,8 +47,10 @@ constexpr Meanings<bool, 2> imposed{{{"speed", true}, {"torque", false}}};
 constexpr Meanings<bool, 2> directions{{{"up", true}, {"down", false}}};
 constexpr Meanings<FrictionLaw, 3> friction_laws{
     {{"none", FrictionLaw::none}, {"smooth", FrictionLaw::smooth}, {"stribeck", FrictionLaw::stribeck}}};
-constexpr Meanings<AdvanceLaw, 3> advance_laws{
-    {{"none", AdvanceLaw::none}, {"root", AdvanceLaw::root}, {"regularized", AdvanceLaw::regularized}}};
+constexpr Meanings<AdvanceLaw, 4> advance_laws{{{"none", AdvanceLaw::none},
+                                                {"root", AdvanceLaw::root},
+                                                {"regularized", AdvanceLaw::regularized},
+                                                {"imposed", AdvanceLaw::imposed}}};
 constexpr Meanings<Unloading, 2> unloadings{{{"free", Unloading::free}, {"elastic", Unloading::elastic}}};
 constexpr Meanings<AxialSource, 3> axial_sources{
     {{"full", AxialSource::full}, {"fluctuation", AxialSource::fluctuation}, {"none", AxialSource::none}}};
@@ -157,12 +159,13 @@ std::vector<base::Section> describe_bit_rock(DrillCase& drill, Words& words) {
   const base::Range density = zero_or(10.0, 3000.0);  // a gas carries nothing, mud has 1000 to 2200
   return {
       {"drilling",
-       {{"law", &words.advance, 1.0, any(), "'root', 'regularized' or 'none'"},
+       {{"law", &words.advance, 1.0, any(), "'root', 'regularized', 'imposed' or 'none'"},
         {"c1_m_per_s_per_N_per_sqrt_rad_per_s", &root.c1, 1.0, c1, "root: C1"},
         {"c2_m_per_s", &root.c2, 1.0, between(-1.0, 0.0), "root: C2"},
         {"a1_m_per_s", &regularized.a1, 1.0, a1, "regularized: a1"},
         {"a2_m_per_s_per_N", &regularized.a2, 1.0, a2, "regularized: a2"},
         {"a3_m_per_rad", &regularized.a3, 1.0, a3, "regularized: a3"},
+        {"imposed_rop_m_per_h", &rock.imposed_advance, m_per_h, between(0.0, 1000.0), "imposed: of a bit that turns"},
         {"threshold_weight_kN", &rock.threshold_weight, kN, weight, "weight that does not yet drill"},
         {"imposed_weight_kN", &rock.imposed_weight, kN, weight, "weight on bit without an axial chain"}}},
       {"bit_rock",
@@ -219,7 +222,6 @@ std::vector<base::Section> describe(DrillCase& drill, Words& words) {
 }
 
 void take_words(const base::ConfigFile& file, const Words& words, DrillCase& drill) {
-  drill.lumping = meaning_of(file, "string", "lumping", words.lumping, lumpings);
   drill.drive.imposes_speed = meaning_of(file, "top_drive", "imposes", words.imposes, imposed);
   drill.jets_push_up = meaning_of(file, "fluid", "jet_force", words.jets, directions);
   drill.bit_rock.friction.law = meaning_of(file, "friction", "law", words.friction, friction_laws);
@@ -244,11 +246,11 @@ Words words_of(const DrillCase& drill) {
           .start = word_of(drill.run.turning, starts)};
 }
 
-void read_pipes(base::ConfigFile& file, DrillCase& drill, Words& words) {
+void read_pipes(base::ConfigFile& file, DrillCase& drill) {
+  Words words;
   file.fill(describe_string(drill, words));
-  for (int i = 0; i < file.count("pipe"); ++i) {
-    drill.pipes.push_back(read_pipe(file, i));
-  }
+  drill.lumping = meaning_of(file, "string", "lumping", words.lumping, lumpings);
+  for (int i = 0; i < file.count("pipe"); ++i) drill.pipes.push_back(read_pipe(file, i));
 }
 
 /// The chains as the file gives them; the axial one has no spring above its first mass.
@@ -296,23 +298,43 @@ void check_together(const base::ConfigFile& file, const DrillCase& drill) {
     file.refuse("wall", "normal_force_kN", "needs one entry for each torsional lump");
 }
 
-/// The keys of the file, without looking at the files they name.
-DrillCase read_keys(base::ConfigFile& file) {
+}  // namespace
+
+DrillCase read_common_tables(base::ConfigFile& file) {
   DrillCase drill;
   Words words;
   for (const base::Section& section : describe(drill, words)) file.fill(section);
-  if (file.count("pipe") > 0) {
-    read_pipes(file, drill, words);
-  } else {
-    if (file.has("string")) throw base::InputError(file.name() + ": [string] without [[pipe]] (needs at least one)");
-    read_chains(file, drill);
-  }
   if (file.count("cutter") > 0) {
     if (!drill.bit_file.empty())
       file.refuse("bit", "file", "[[cutter]] of a bit stand in this file too; give one of the two");
     drill.bit = bit_inside(file);
   }
   take_words(file, words, drill);
+  return drill;
+}
+
+void complete(base::ConfigFile& file, DrillCase& drill) {
+  if (!drill.bit_file.empty()) {
+    drill.bit_file = file.resolve(drill.bit_file).string();
+    drill.bit = read_bit(drill.bit_file);
+  }
+  if (!drill.source.model_file.empty()) drill.source.model_file = file.resolve(drill.source.model_file).string();
+  check_together(file, drill);
+}
+
+namespace {
+
+/// The keys of the file, without looking at the files they name.
+DrillCase read_keys(base::ConfigFile& file) {
+  if (file.has_table("well"))
+    throw base::InputError(file.name() + ": a case with [well] (only drill run and drill statics take one)");
+  DrillCase drill = read_common_tables(file);
+  if (file.count("pipe") > 0) {
+    read_pipes(file, drill);
+  } else {
+    if (file.has("string")) throw base::InputError(file.name() + ": [string] without [[pipe]] (needs at least one)");
+    read_chains(file, drill);
+  }
   file.refuse_unknown();
   return drill;
 }
@@ -321,12 +343,7 @@ DrillCase read_keys(base::ConfigFile& file) {
 
 DrillCase read_drill_case(base::ConfigFile& file) {
   DrillCase drill = read_keys(file);
-  if (!drill.bit_file.empty()) {
-    drill.bit_file = file.resolve(drill.bit_file).string();
-    drill.bit = read_bit(drill.bit_file);
-  }
-  if (!drill.source.model_file.empty()) drill.source.model_file = file.resolve(drill.source.model_file).string();
-  check_together(file, drill);
+  complete(file, drill);
   return drill;
 }
 

@@ -77,6 +77,12 @@ DrillCase read_drill_case(base::ConfigFile& file);
 /// Throws `InputError` with file and key.
 DrillCase read_drill_case(const std::filesystem::path& path);
 
+/// For the reader of a case with another string: the tables that do not speak of the string. Other tables are the
+/// caller's, and so is `refuse_unknown`.
+DrillCase read_common_tables(base::ConfigFile& file);
+/// Then, once the pipes are known: reads the bit file, and checks what must fit together.
+void complete(base::ConfigFile& file, DrillCase& drill);
+
 /// The case back from `resolved_toml`, long after: the networks it names need not be there any more. `name` is for
 /// messages.
 DrillCase recorded_drill_case(std::string_view text, const std::string& name);
@@ -86,6 +92,11 @@ std::string resolved_toml(const DrillCase& drill);
 
 /// What people are told of the keys of a drill case.
 std::vector<base::KeyRow> drill_keys();
+
+/// The laws at the bit, with the arm of the friction and the jets.
+BitRock bit_rock_of(const DrillCase& drill);
+/// Of the bit about its axis [kg m^2].
+double bit_inertia_of(const DrillCase& drill);
 
 /// Throws `InputError` when the parts do not make a drill string.
 DrillString assemble(const DrillCase& drill);

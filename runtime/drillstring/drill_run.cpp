@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "base/errors.hpp"
 #include "base/stop.hpp"
@@ -13,25 +12,6 @@
 namespace bitrock::runtime {
 
 namespace {
-
-/// Mean, deviation and extremes of one quantity over steps of equal length, updated value by value so that nothing
-/// cancels.
-struct Running {
-  double count = 0.0, mean = 0.0, squares = 0.0;  ///< squares of the distances from the mean
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-
-  void add(double value) {
-    count += 1.0;
-    const double from_old_mean = value - mean;
-    mean += from_old_mean / count;
-    squares += from_old_mean * (value - mean);
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-  }
-  Spread spread() const {
-    return {.mean = mean, .deviation = std::sqrt(squares / count), .lowest = lowest, .highest = highest};
-  }
-};
 
 /// Longest row of steps in which something held.
 struct Longest {
@@ -44,7 +24,7 @@ struct Longest {
 };
 
 struct Observed {
-  Running rotation, weight, total, torque, source_force, source_torque, rop;
+  RunningSpread rotation, weight, total, torque, source_force, source_torque, rop;
   double count = 0.0, at_rest = 0.0, backwards = 0.0, off_bottom = 0.0;
   Longest stop, flight;
 };

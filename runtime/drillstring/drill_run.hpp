@@ -9,6 +9,7 @@
 
 #include "base/progress.hpp"
 #include "runtime/drillstring/drill_case.hpp"
+#include "runtime/drillstring/spread.hpp"
 #include "surrogate/net/model.hpp"
 
 namespace bitrock::runtime {
@@ -27,12 +28,6 @@ struct DrillSeries {
   std::vector<double> bit_depth_m;               ///< below where the rock face was at the beginning
   std::vector<double> face_depth_m;              ///< below where the rock face was at the beginning
   std::vector<double> progression_angle_rad;     ///< turned forward while cutting
-};
-
-/// Of a number over the steps.
-struct Spread {
-  /// Each step counts alike. Deviation: standard, RMS^2 = mean^2 + deviation^2.
-  double mean = 0.0, deviation = 0.0, lowest = 0.0, highest = 0.0;
 };
 
 /// Over all steps after the settling time.

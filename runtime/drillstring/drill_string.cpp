@@ -4,31 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "base/errors.hpp"
 #include "runtime/laws/karnopp.hpp"
-#include "runtime/laws/progression_angle.hpp"
 #include "runtime/signal/step5.hpp"
 
 namespace bitrock::runtime {
 
 namespace {
-
-constexpr double turn = 2.0 * std::numbers::pi;  // [rad] of cut over which the mean of a fluctuating source is taken
-
-AdvanceLine line_at(const BitRock& bit, double rotation) {
-  switch (bit.advance_law) {
-    case AdvanceLaw::root:
-      return advance_line(bit.root_advance, rotation, bit.threshold_weight);
-    case AdvanceLaw::regularized:
-      return advance_line(bit.regularized_advance, rotation, bit.threshold_weight);
-    case AdvanceLaw::none:
-      break;
-  }
-  return {};
-}
 
 /// Velocities half-way, positions at the end, velocities as predicted for the end.
 void drift(ChainMotion& motion, std::vector<double>& predicted, double h) {
@@ -39,55 +23,14 @@ void drift(ChainMotion& motion, std::vector<double>& predicted, double h) {
   }
 }
 
-/// How much of the cut the cutters still have: 1 on the bottom, falling to 0 as the bit is lifted by the depth of cut.
-double engagement(const BitRock& bit, double depth) {
-  if (depth >= 0.0) return 1.0;
-  return bit.engagement_depth > 0.0 ? std::max(0.0, 1.0 + depth / bit.engagement_depth) : 0.0;
-}
-
-double acting_force(const BitRock& bit, DrillState& state, double force, double progressed) {
-  if (bit.axial_source == AxialSource::none) return 0.0;
-  if (bit.axial_source == AxialSource::full) return force;
-  if (!state.source_known) state.source_mean = force;
-  state.source_known = true;
-  state.source_mean += (1.0 - std::exp(-progressed / turn)) * (force - state.source_mean);
-  return force - state.source_mean;
-}
-
-/// Load of the source and the torque of breaking rock, after the bit has turned by `turned`.
-void drive_source(const DrillString& string, DrillState& state, const BitRockSource& source, double turned,
-                  double depth) {
-  // a bit that its cutters carry (their force is that of the instant before) goes on cutting without the rock spring
-  const double pushed = state.weight_on_bit + std::max(0.0, state.source_force);
-  const double progressed = progression(turned, pushed, string.bit.threshold_weight);
-  state.progression += progressed;
-  const BitLoad load = source({.angle = state.progression,
-                               .rotation = mean(state.smooth_rotation),
-                               .rate_of_penetration = mean(state.smooth_advance)});
-  const double share = engagement(string.bit, depth);
-  state.source_force = share * acting_force(string.bit, state, load.axial_force, progressed);
-  state.source_torque = share * std::max(0.0, load.torque);
-  const FractureSpring spring =
-      fracture_spring(state.twist, turned, string.bit.fracture_stiffness, state.source_torque, string.bit.unloading);
-  state.twist = spring.twist;
-  state.fracture_torque = spring.torque;
-}
-
 /// Weight on bit and rate of penetration; returns how deep the bit stands below the face.
 double push_on_rock(const DrillString& string, DrillState& state, double h) {
-  const AdvanceLine line = line_at(string.bit, state.torsional_room.predicted.back());
-  if (string.axial.size() == 0) {
-    state.weight_on_bit = string.bit.imposed_weight;
-    state.rate_of_penetration = rate_of_penetration(line, state.weight_on_bit);
-    return 0.0;
-  }
-  const double before = state.rate_of_penetration;
-  const double depth = state.axial.position.back() - (state.face + h * before);
-  const RockPush push = rock_push(string.bit.contact, line, depth, state.axial_room.predicted.back());
-  state.weight_on_bit = push.force;
-  state.rate_of_penetration = push.speed;
-  state.face += 0.5 * h * (before + push.speed);
-  return depth;
+  const double rotation = state.torsional_room.predicted.back();
+  if (string.axial.size() > 0)
+    return push_on_face(string.bit, state, rotation, state.axial.position.back(), state.axial_room.predicted.back(), h);
+  state.weight_on_bit = string.bit.imposed_weight;
+  state.rate_of_penetration = rate_of_penetration(advance_at(string.bit, rotation), state.weight_on_bit);
+  return 0.0;
 }
 
 void accelerate_axial(const DrillString& string, DrillState& state) {
@@ -194,7 +137,7 @@ constexpr double EnergyFlows::*all_flows[] = {
 /// velocities are known already.
 void settle(const DrillString& string, DrillState& state, const BitRockSource& source, double turned, double h) {
   const double depth = push_on_rock(string, state, h);
-  drive_source(string, state, source, turned, depth);
+  drive_source(string.bit, state, source, turned, depth);
   if (string.axial.size() > 0) {
     accelerate_axial(string, state);
     for (std::size_t i = 0; i < string.axial.size(); ++i)
@@ -285,7 +228,7 @@ DrillState beginning(const DrillString& string, const BitRockSource& source, boo
   if (string.axial.size() > 0 && off_bottom > 0.0) state.face = off_bottom;
   if (string.axial.size() > 0 && off_bottom == 0.0 && weight > 0.0)
     place_on_bottom(string, weight, state.axial.position);
-  if (off_bottom == 0.0) state.rate_of_penetration = rate_of_penetration(line_at(string.bit, rotation), weight);
+  if (off_bottom == 0.0) state.rate_of_penetration = rate_of_penetration(advance_at(string.bit, rotation), weight);
   accept(state.smooth_advance, 0.0, state.rate_of_penetration);
   settle(string, state, source, 0.0, 0.0);
   return state;

@@ -4,19 +4,13 @@
 
 #include "base/units.hpp"
 #include "views/json/bit_json.hpp"
+#include "views/json/spread_json.hpp"
 
 namespace bitrock::views {
 
 namespace {
 
 using base::m_per_h, base::rpm;
-
-nlohmann::json spread_json(const runtime::Spread& spread, double unit) {
-  return {{"mean", spread.mean / unit},
-          {"sd", spread.deviation / unit},
-          {"min", spread.lowest / unit},
-          {"max", spread.highest / unit}};
-}
 
 nlohmann::json forms_json(const std::optional<runtime::ClosedForms>& forms) {
   if (!forms)

@@ -1,0 +1,33 @@
+#pragma once
+/// What the driller does from tripping in to drilling, step by step: run in, begin to turn, go to bottom, drill.
+
+#include "runtime/well/well_string.hpp"
+
+namespace bitrock::runtime {
+
+/// The plan. Every change of speed takes a ramp, a smooth step of degree five.
+struct RigPlan {
+  double run_in = 0.0;            ///< [m] of pipe that is fed while the string does not turn
+  double run_in_speed = 1.0;      ///< [m/s]
+  double ramp = 2.0;              ///< [s] to that speed, and from it
+  double rotation = 0.0;          ///< [rad/s] of the drive afterwards
+  double rotation_ramp = 6.0;     ///< [s]
+  double weight_on_bit = 0.0;     ///< [N] to slack off to; 0: the bit stays where it is, off bottom
+  double slack_off_speed = 0.05;  ///< [m/s] of that
+  double drilling_speed = 0.0;    ///< [m/s] of the feed afterwards; 0: as fast as the rock's face goes
+};
+
+/// What it is at.
+enum class RigPhase : int { running_in, starting_to_turn, slacking_off, drilling };
+
+struct RigState {
+  RigPhase phase = RigPhase::running_in;
+  double began = 0.0;  ///< [s] time at which the phase began
+  double felt = 0.0;   ///< [N] push of the rock, smoothed over a second
+};
+
+/// Speed of the feed and of the drive for the step that begins now; goes on to the next phase where it is time. `h` [s]
+/// is the length of the step.
+RigControls controls(const RigPlan& plan, RigState& rig, const WellStringState& state, double h);
+
+}  // namespace bitrock::runtime

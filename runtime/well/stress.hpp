@@ -1,0 +1,36 @@
+#pragma once
+/// Stress in the steel at one point of the string.
+
+#include <string>
+
+#include "runtime/well/well_string.hpp"
+
+namespace bitrock::runtime {
+
+/// A point of the outer surface that turns with the pipe: what fatigue counts.
+struct StressPoint {
+  std::string name;        ///< for people
+  double above_bit = 0.0;  ///< [m] along the string
+  double angle = 0.0;      ///< [rad] in the frame of its segment, from its second axis to its third
+  double outer_diameter = 0.0, inner_diameter = 0.0;  ///< [m] of the pipe there
+};
+
+struct Stress {
+  double axial = 0.0;           ///< [Pa] of tension alone
+  double normal = 0.0;          ///< [Pa] of tension and bending, tension positive
+  double shear = 0.0;           ///< [Pa] of torque
+  double von_mises = 0.0;       ///< [Pa]
+  double measured_depth = 0.0;  ///< [m] of the joint below the point, and so much of the segment; along the hole
+};
+
+/// **What** Stress at a point between two joints.
+/// **Equation** sigma = T / A + (D / 2I)(m2 sin psi - m3 cos psi), tau = m1 D / 4I, von Mises
+/// sqrt(sigma^2 + 3 tau^2); T = T_e - p A.
+/// **Symbols** T_e [N] tension in the mud (`JointLoad::section_force`), p = rho_f g z [Pa] of still mud; m1 torque, m2,
+/// m3 [N m] bending moments about the second and third axis; psi [rad]; A, I [m^2, m^4] of the ring.
+/// **Differences and validity** Moments and tension are linear between the two joints of the segment. Without the
+/// bending peak at a tool joint.
+Stress stress_at(const WellString& string, const WellStringState& state, const StressPoint& point,
+                 double fluid_density);
+
+}  // namespace bitrock::runtime

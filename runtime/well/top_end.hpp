@@ -1,0 +1,35 @@
+#pragma once
+/// The upper end of a string at the table: how new pipe comes in, how it hangs, and what turns it.
+
+#include "runtime/well/well_string.hpp"
+
+namespace bitrock::runtime {
+
+/// **What** New pipe of one step: the uppermost segment becomes longer at its upper end, and gives off a segment where
+/// it is long enough (`Growth::split`).
+/// **Equation** L += v h; lower end, its velocity V and the angular velocity stay; mass, inertia, centre and the
+/// springs at both ends follow L. Work done by that, besides m' g e:
+///   [ m' V^2 / 2 - v (H + (H^2 + F^2) / 4EA + (Q^2 + S^2) / 4 kappa GA + (T_d^2 + T^2) / 4GJ + M^2 / 4EI) ] h.
+/// **Symbols** v [m/s] feed; m' = mass per metre times v; V [m/s] of the upper end; H [N] hook load, F, S, T, M
+/// tension, shear, torque and moment of the joint below; T_d [N m] torque of the drive; e [m] how low the upper end
+/// hangs.
+/// **Source** derived here, docs/theory/well.md: new pipe enters with the speed of what it joins, so it does not push.
+void lengthen_top(const WellString& string, WellStringState& state, const RigControls& controls, double h);
+
+/// **What** Hoist and drive on the uppermost segment, as loads of its upper end.
+/// **Equation** H = k e + c (e' - v), k = 2 EA / L; sideways a spring of 5e7 N/m; T = k_t (Phi - sigma) + c_t (Phi' -
+/// sigma'), k_t = 2 GJ / L.
+/// **Symbols** e [m] depth of the upper end below the point where the hoist's spring is free; Phi [rad] angle of the
+/// drive; sigma [rad] turns of the segment, counted beyond one turn.
+void load_table(const WellString& string, WellStringState& state, const RigControls& controls, double h);
+
+/// Energy in the springs of hoist and drive [J].
+double table_energy(const WellString& string, const WellStringState& state);
+
+/// The hoist's springs; those of the drive [N/m], [N m/rad].
+struct TableSprings {
+  double hoist, sideways, drive;
+};
+TableSprings table_springs(const WellString& string, const WellStringState& state);
+
+}  // namespace bitrock::runtime

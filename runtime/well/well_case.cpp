@@ -1,0 +1,233 @@
+#include "runtime/well/well_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/errors.hpp"
+#include "base/units.hpp"
+#include "runtime/drillstring/pipe_entry.hpp"
+#include "runtime/well/step.hpp"
+
+namespace bitrock::runtime {
+
+namespace {
+
+using base::any, base::between, base::zero_or;
+using base::deg, base::kN, base::mm, base::ms;
+
+const base::Range depths = between(0.0, 2e4);  // m; the deepest wells have 15 km
+
+struct Words {
+  std::string top = "split", survey;
+  std::vector<double> depth, inclination, azimuth;
+};
+
+base::Section describe_well(WellCase& well, Words& words) {
+  return {
+      "well",
+      {{"survey", &words.survey, 1.0, any(), "survey file, relative to this file; or the three lists here"},
+       {"measured_depth_m", &words.depth, 1.0, depths, "of the stations, downwards"},
+       {"inclination_deg", &words.inclination, deg, between(0.0, 180.0), "of the stations, from the vertical"},
+       {"azimuth_deg", &words.azimuth, deg, between(-360.0, 720.0), "of the stations, from north to east"},
+       {"bottom_depth_m", &well.bottom_depth, 1.0, depths, "measured depth of the bottom at the beginning; 0: none"},
+       {"top", &words.top, 1.0, any(), "'split': the string gets new segments; 'grow': its top one gets longer"},
+       {"bit_gauge_mm", &well.bit_gauge, mm, zero_or(1.0, 2000.0), "diameter with which the bit rubs; 0: it does not"},
+       {"mud_added_mass", &well.mud_added_mass, 1.0, any(), "whether mud moves with the pipe across its axis"},
+       {"mud_drag_N_s_per_m2", &well.drag_across, 1.0, between(0.0, 1e6), "against motion across the axis, a metre"},
+       {"axial_damping_ms", &well.damping.axial, ms, between(0.0, 10.0), "damper over spring, along the pipe"},
+       {"shear_damping_ms", &well.damping.shear, ms, between(0.0, 10.0), "across"},
+       {"torsional_damping_ms", &well.damping.torsion, ms, between(0.0, 10.0), "in twist"},
+       {"bending_damping_ms", &well.damping.bending, ms, between(0.0, 10.0), "in bending"}}};
+}
+
+base::Section describe_plan(RigPlan& plan) {
+  const base::Range speed = between(1e-4, 10.0), ramp = between(0.0, 1e3);
+  return {"trip",
+          {{"run_in_m", &plan.run_in, 1.0, depths, "pipe that is run in before anything turns"},
+           {"speed_m_per_s", &plan.run_in_speed, 1.0, speed, "of that"},
+           {"ramp_s", &plan.ramp, 1.0, ramp, "of every change of the feed"},
+           {"weight_on_bit_kN", &plan.weight_on_bit, kN, between(0.0, 1e4), "to slack off to; 0: stays off bottom"},
+           {"slack_off_m_per_s", &plan.slack_off_speed, 1.0, between(1e-4, 1.0), "speed of that"}}};
+}
+
+base::Section describe_hole(HoleSection& hole) {
+  return {"hole",
+          {{"to_depth_m", &hole.to_depth, 1.0, between(1e-3, 2e4), "measured depth of its lower end", true},
+           {"diameter_mm", &hole.diameter, mm, between(1.0, 2000.0), "of hole or casing", true},
+           {"friction", &hole.friction, 1.0, between(0.0, 10.0), "coefficient", true}}};
+}
+
+base::Section describe_pipe(WellPipe& pipe) {
+  return {"pipe",
+          {{"segment_length_m", &pipe.segment_length, 1.0, between(0.1, 100.0), "of its segments, at most"},
+           {"contact_diameter_mm", &pipe.contact_diameter, mm, zero_or(1.0, 2000.0),
+            "with which it touches the wall, of tool joints; 0: of the body"}}};
+}
+
+base::Section describe_point(StressPoint& point) {
+  return {"stress_point",
+          {{"name", &point.name, 1.0, any(), "for people", true},
+           {"above_bit_m", &point.above_bit, 1.0, depths, "along the string", true},
+           {"angle_deg", &point.angle, deg, between(0.0, 360.0), "around the pipe, turning with it"}}};
+}
+
+void take_stations(const base::ConfigFile& file, const Words& words, WellCase& well) {
+  if (!words.survey.empty()) {
+    if (!words.depth.empty()) file.refuse("well", "survey", "stands beside measured_depth_m; give one of the two");
+    well.survey_file = file.resolve(words.survey);
+    return;
+  }
+  if (words.depth.size() < 2)
+    throw base::InputError(file.name() + ": [well] needs a survey, or measured_depth_m of two stations or more");
+  if (words.inclination.size() != words.depth.size())
+    file.refuse("well", "inclination_deg",
+                fmt::format("has {} entries (must have {}, as measured_depth_m)", words.inclination.size(),
+                            words.depth.size()));
+  if (words.azimuth.size() != words.depth.size())
+    file.refuse(
+        "well", "azimuth_deg",
+        fmt::format("has {} entries (must have {}, as measured_depth_m)", words.azimuth.size(), words.depth.size()));
+  for (std::size_t i = 0; i < words.depth.size(); ++i)
+    well.stations.push_back({words.depth[i], words.inclination[i], words.azimuth[i]});
+}
+
+/// The pipe that is so far above the bit.
+const PipeSection& pipe_at(const WellCase& well, double above_bit) {
+  double below = 0.0;
+  for (std::size_t i = well.pipes.size(); i-- > 1;) {
+    below += well.pipes[i].pipe.length;
+    if (above_bit < below) return well.pipes[i].pipe;
+  }
+  return well.pipes.front().pipe;
+}
+
+void refuse_of_two_dimensions(const base::ConfigFile& file) {
+  for (const char* table : {"string", "axial", "torsion", "wall"})
+    if (file.has(table))
+      throw base::InputError(fmt::format("{}: [{}] has no meaning beside [well] (take it out)", file.name(), table));
+  if (file.has("top_drive", "hook_load_kN"))
+    file.refuse("top_drive", "hook_load_kN",
+                "beside [well] the hook load is a result; trip.weight_on_bit_kN is asked for");
+}
+
+/// [kg/m] of mud that moves with a pipe across its axis in a hole: rho (A_i + C A_o), C = (D^2 + d^2) / (D^2 - d^2),
+/// the added mass of a cylinder inside another.
+double added_mass(const PipeSection& pipe, double hole_diameter, double density) {
+  const double quarter = 0.25 * std::numbers::pi;
+  const double outer = pipe.outer_diameter * pipe.outer_diameter, inner = pipe.inner_diameter * pipe.inner_diameter;
+  const double hole = hole_diameter * hole_diameter;
+  return density * quarter * (inner + (hole + outer) / (hole - outer) * outer);
+}
+
+}  // namespace
+
+bool has_well(const std::filesystem::path& file) {
+  return base::ConfigFile::read(file).has_table("well");
+}
+
+WellCase read_well_case(const std::filesystem::path& path) {
+  base::ConfigFile file = base::ConfigFile::read(path);
+  if (!file.has_table("well"))
+    throw base::InputError(file.name() + ": no [well] (drill modes knows strings without one)");
+  WellCase well;
+  Words words;
+  well.drill = read_common_tables(file);
+  refuse_of_two_dimensions(file);
+  file.fill(describe_well(well, words));
+  file.fill(describe_plan(well.plan));
+  for (int i = 0; i < file.count("hole"); ++i) file.fill_entry(describe_hole(well.hole.emplace_back()), i);
+  for (int i = 0; i < file.count("pipe"); ++i) {
+    WellPipe pipe{.pipe = read_pipe(file, i)};
+    file.fill_entry(describe_pipe(pipe), i);
+    well.pipes.push_back(pipe);
+    well.drill.pipes.push_back(pipe.pipe);
+  }
+  for (int i = 0; i < file.count("stress_point"); ++i)
+    file.fill_entry(describe_point(well.stress_points.emplace_back()), i);
+  file.refuse_unknown();
+  take_stations(file, words, well);
+  if (words.top != "split" && words.top != "grow") file.refuse("well", "top", "must be one of 'split', 'grow'");
+  well.growth = words.top == "grow" ? Growth::grow : Growth::split;
+  if (well.pipes.empty()) throw base::InputError(file.name() + ": a case with [well] needs [[pipe]]");
+  if (well.hole.empty()) throw base::InputError(file.name() + ": a case with [well] needs [[hole]]");
+  if (well.plan.weight_on_bit > 0.0 && well.bottom_depth == 0.0)
+    file.refuse("trip", "weight_on_bit_kN", "needs a bottom (well.bottom_depth_m)");
+  complete(file, well.drill);
+  if (!well.drill.drive.imposes_speed) file.refuse("top_drive", "imposes", "must be 'speed' beside [well]");
+  well.plan.rotation = well.drill.drive.rotation;
+  well.plan.rotation_ramp = well.drill.drive.ramp;
+  if (well.drill.bit_rock.advance_law == AdvanceLaw::imposed)
+    well.plan.drilling_speed = well.drill.bit_rock.imposed_advance;
+  for (StressPoint& point : well.stress_points) {
+    const PipeSection& pipe = pipe_at(well, point.above_bit);
+    point.outer_diameter = pipe.outer_diameter;
+    point.inner_diameter = pipe.inner_diameter;
+  }
+  return well;
+}
+
+WellString assemble(const WellCase& well) {
+  WellString string;
+  const DrillCase& drill = well.drill;
+  double total = 0.0;
+  for (const WellPipe& part : well.pipes) {
+    const Beam beam = beam_of(part.pipe);
+    const double widest = std::max(part.contact_diameter, part.pipe.outer_diameter);
+    StringSection section{
+        .beam = beam,
+        .length = part.pipe.length,
+        .segments = static_cast<int>(std::ceil(part.pipe.length / part.segment_length * (1.0 - 1e-12))),
+        .contact_radius = 0.5 * widest,
+        .weight = gravity * beam.mass * (1.0 - drill.fluid_density / part.pipe.density),
+        .drag_across = well.drag_across};
+    double narrowest = well.hole.front().diameter;
+    for (const HoleSection& hole : well.hole) narrowest = std::min(narrowest, hole.diameter);
+    if (well.mud_added_mass && part.pipe.outer_diameter < narrowest)
+      section.added_mass = added_mass(part.pipe, narrowest, drill.fluid_density);
+    string.sections.push_back(section);
+    total += part.pipe.length;
+  }
+  const WellPath path = well_path(well.stations);
+  if (total > end_depth(path))
+    throw base::InputError(fmt::format(
+        "a string of {:g} m in a well of {:g} m (its survey must reach as deep as the bit)", total, end_depth(path)));
+  string.hole = hole_pieces(path, well.hole);
+  string.damping = well.damping;
+  string.upper_end = UpperEnd::table;
+  string.growth = well.growth;
+  // pipe of the trip, of going to bottom, and of drilling
+  const double depth = well.bottom_depth > 0.0 ? std::max(0.0, well.bottom_depth - total) : well.plan.run_in;
+  string.longest_grown = depth + well.plan.run_in + 5.0 + 2.0 * well.plan.drilling_speed * drill.run.duration;
+  string.guided = true;
+  string.gauge_radius = 0.5 * well.bit_gauge;
+  string.on_rock = well.bottom_depth > 0.0;
+  string.bit = bit_rock_of(drill);
+  string.bit_mass = drill.bit_mass;
+  string.bit_inertia = bit_inertia_of(drill);
+  require_consistent(string);
+  return string;
+}
+
+void require_stable(const WellCase& well, const WellString& string) {
+  const double longest = 0.8 * longest_stable_step(string);
+  if (well.drill.run.step > longest)
+    throw base::InputError(fmt::format("{}: run.step_ms = {:g} (at most {:.3g} for these segments)", well.drill.name,
+                                       well.drill.run.step / ms, longest / ms));
+}
+
+std::vector<base::KeyRow> well_keys() {
+  WellCase well;
+  Words words;
+  HoleSection hole;
+  WellPipe pipe;
+  StressPoint point;
+  std::vector<base::Section> sections{describe_well(well, words), describe_plan(well.plan), describe_hole(hole),
+                                      describe_pipe(pipe), describe_point(point)};
+  for (const std::size_t array : {2, 3, 4}) sections[array].name = "[" + sections[array].name + "]";
+  return base::key_rows(sections);
+}
+
+}  // namespace bitrock::runtime

@@ -1,0 +1,144 @@
+#include "runtime/well/well_run.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "base/stop.hpp"
+#include "runtime/well/energy.hpp"
+#include "runtime/well/equilibrium.hpp"
+#include "runtime/well/saved_state.hpp"
+#include "runtime/well/step.hpp"
+
+namespace bitrock::runtime {
+
+namespace {
+
+double torque_on_bit(const BitState& bit) {
+  return bit.friction_torque + bit.fracture_torque;
+}
+
+void record(const WellStringState& state, WellSeries& series) {
+  series.time_s.push_back(state.time);
+  series.hook_load_N.push_back(state.top.hook_load);
+  series.drive_torque_N_m.push_back(state.top.drive_torque);
+  series.drive_rotation_rad_per_s.push_back(state.top.drive_speed);
+  series.bit_rotation_rad_per_s.push_back(spin_of(state.columns, 0));
+  series.weight_on_bit_N.push_back(state.bit.weight_on_bit);
+  series.source_force_N.push_back(state.bit.source_force);
+  series.torque_on_bit_N_m.push_back(torque_on_bit(state.bit));
+  series.rop_m_per_s.push_back(state.bit.rate_of_penetration);
+  series.bit_depth_m.push_back(state.bit.depth);
+  series.fed_m.push_back(state.top.fed);
+  series.bit_side_force_N.push_back(state.bit.side_force);
+}
+
+struct Observed {
+  RunningSpread hook, torque, rotation, weight, source, rop;
+
+  void add(const WellStringState& state) {
+    hook.add(state.top.hook_load);
+    torque.add(state.top.drive_torque);
+    rotation.add(spin_of(state.columns, 0));
+    weight.add(state.bit.weight_on_bit);
+    source.add(state.bit.source_force);
+    rop.add(state.bit.rate_of_penetration);
+  }
+};
+
+WellStringState brought_to_rest(const WellCase& well, const WellString& string) {
+  WellStringState state = hung_in_hole(string);
+  relax(string, state, well.drill.run.step);
+  state.bit.face = well.bottom_depth;
+  return state;
+}
+
+}  // namespace
+
+WellStatics statics(const WellCase& well, const WellString& string) {
+  require_stable(well, string);
+  WellString smooth = string;
+  for (HolePiece& piece : smooth.hole) piece.friction = 0.0;
+  WellStringState state = brought_to_rest(well, smooth);
+  advance(smooth, state, {}, no_excitation(), well.drill.run.step);
+  require_sound(smooth, state);
+  WellStatics result{.hook_load = state.top.hook_load, .bit_depth = state.bit.depth};
+  const Columns& columns = state.columns;
+  for (std::size_t i = state.count - 1; i-- > 0;) {
+    const JointLoad<double> load = joint_now(columns, i);
+    const Vector3 middle = 0.5 * (lower_end_of(columns, i + 1) + upper_end_of(columns, i));
+    const HolePiece& hole = smooth.hole[static_cast<std::size_t>(columns.at(piece, i))];
+    result.joints.push_back({.measured_depth = foot_on(hole.arc, middle).measured_depth,
+                             .side_force = columns.at(wall_force, i),
+                             .tension = load.section_force.x,
+                             .moment = std::hypot(load.section_moment.y, load.section_moment.z)});
+  }
+  return result;
+}
+
+WellRun run_well(const WellCase& well, const WellString& string, const DrillSource& source,
+                 const base::ProgressCallback& progress) {
+  require_stable(well, string);
+  const auto begin = std::chrono::steady_clock::now();
+  const DrillSchedule& schedule = well.drill.run;
+  WellRun run;
+  run.step = step_of(schedule);
+  const double h = run.step;
+  const auto steps_a_sample = static_cast<long long>(std::llround(schedule.sample / h));
+  const auto samples = static_cast<long long>(std::floor(schedule.duration / schedule.sample * (1.0 + 1e-12)));
+
+  WellStringState state = brought_to_rest(well, string);
+  const double initial = stored_energy(string, state, h).total();
+  RigState rig;
+  Observed seen;
+  std::vector<RunningSpread> normal(well.stress_points.size());
+  run.series.stress_Pa.resize(well.stress_points.size());
+  for (long long sample = 0; sample < samples; ++sample) {
+    if (progress) progress(static_cast<double>(sample) * schedule.sample, schedule.duration);
+    base::throw_if_stopped();
+    for (long long i = 0; i < steps_a_sample; ++i) {
+      advance(string, state, controls(well.plan, rig, state, h), source.load, h);
+      if (state.time > schedule.settling) seen.add(state);
+    }
+    require_sound(string, state);
+    record(state, run.series);
+    for (std::size_t p = 0; p < normal.size(); ++p) {
+      const double stress = stress_at(string, state, well.stress_points[p], well.drill.fluid_density).normal;
+      run.series.stress_Pa[p].push_back(stress);
+      if (state.time > schedule.settling) normal[p].add(stress);
+    }
+  }
+  if (progress) progress(schedule.duration, schedule.duration);
+
+  run.steps = samples * steps_a_sample;
+  const double work = friction_work_of(state);
+  const StringSection& lowest = section_of(string, 0);
+  const double bar = segment_length_of(string, 0), passes = 1.0 / (std::numbers::pi * bar);
+  run.summary = {.hook_load = seen.hook.spread(),
+                 .drive_torque = seen.torque.spread(),
+                 .bit_rotation = seen.rotation.spread(),
+                 .weight_on_bit = seen.weight.spread(),
+                 .source_force = seen.source.spread(),
+                 .rop = seen.rop.spread(),
+                 .bit_depth = state.bit.depth,
+                 .fed = state.top.fed,
+                 .drilled = well.bottom_depth > 0.0 ? state.bit.face - well.bottom_depth : 0.0,
+                 .segments = static_cast<int>(state.count),
+                 .friction_work = work,
+                 .energy_residual = work > 0.0 ? energy_residual(string, state, initial, h) / work : 0.0,
+                 .longest_bar = state.top.length,
+                 .axial_pass_band = passes * std::sqrt(lowest.beam.axial / lowest.beam.mass),
+                 .torsional_pass_band = passes * std::sqrt(lowest.beam.torsion / lowest.beam.polar_inertia)};
+  if (source.bit) {
+    run.summary.clamps = source.bit->clamps();
+    run.summary.draws = source.bit->draws();
+  }
+  for (std::size_t p = 0; p < normal.size(); ++p)
+    run.stresses.push_back({.point = well.stress_points[p],
+                            .stress = stress_at(string, state, well.stress_points[p], well.drill.fluid_density),
+                            .normal = normal[p].spread()});
+  run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return run;
+}
+
+}  // namespace bitrock::runtime

@@ -1,0 +1,275 @@
+#include "runtime/well/well_string.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/errors.hpp"
+
+namespace bitrock::runtime {
+
+namespace {
+
+Rotation rotation_at(const Columns& columns, std::size_t i) {
+  Rotation q;
+  take(columns, frame, columns.place_of(i), q);
+  return q;
+}
+
+void set_rotation(Columns& columns, std::size_t i, const Rotation& q) {
+  put(columns, frame, columns.place_of(i), q);
+}
+
+/// Memory for the string at its longest, segments and joints as they are at the beginning, all at 0.
+WellStringState without_places(const WellString& string) {
+  require_consistent(string);
+  WellStringState state;
+  state.count = segment_count(string);
+  const double usual = segment_length_of(string, state.count - 1);
+  const std::size_t added =
+      string.growth == Growth::split ? static_cast<std::size_t>(std::ceil(string.longest_grown / usual)) : 0;
+  state.columns = columns_for(state.count + added);
+  for (std::size_t place = 0; place < state.columns.stride(); ++place) {
+    state.columns[frame][place] = 1.0;
+    state.columns[clearance][place] = 1e30;
+    put(state.columns, arc_normal, place, Vector3{1.0, 0.0, 0.0});
+    put(state.columns, arc_tangent, place, Vector3{0.0, 0.0, 1.0});
+    put(state.columns, end_tangent, place, Vector3{});
+    state.columns[end_reach][place] = std::numeric_limits<double>::infinity();
+  }
+  for (std::size_t i = 0; i < state.count; ++i) set_segment(string, state.columns, i, segment_length_of(string, i));
+  for (std::size_t i = 0; i + 1 < state.count; ++i) set_joint(string, state.columns, i, false);
+  if (string.upper_end == UpperEnd::clamped) set_joint(string, state.columns, state.count - 1, true);
+  state.top.length = usual;
+  state.bit.smooth_rotation.window = state.bit.smooth_advance.window = string.bit.averaging_time;
+  return state;
+}
+
+void finish(const WellString& string, WellStringState& state) {
+  for (std::size_t place = 0; place < state.columns.stride(); ++place) renew_derived(state.columns, place);
+  for (std::size_t i = 0; i + 1 < state.count; ++i) renew_piece(string, state.columns, i);
+}
+
+}  // namespace
+
+std::size_t segment_count(const WellString& string) {
+  std::size_t count = 0;
+  for (const StringSection& section : string.sections) count += static_cast<std::size_t>(section.segments);
+  return count;
+}
+
+const StringSection& section_of(const WellString& string, std::size_t i) {
+  for (std::size_t s = string.sections.size() - 1; s > 0; --s) {
+    const auto segments = static_cast<std::size_t>(string.sections[s].segments);
+    if (i < segments) return string.sections[s];
+    i -= segments;
+  }
+  return string.sections.front();
+}
+
+double segment_length_of(const WellString& string, std::size_t i) {
+  const StringSection& section = section_of(string, i);
+  return section.length / section.segments;
+}
+
+void require_consistent(const WellString& string) {
+  const auto refuse = [](const std::string& what) { throw base::InputError("string in a well: " + what); };
+  if (string.sections.empty()) refuse("no section (needs at least one)");
+  for (std::size_t i = 0; i < string.sections.size(); ++i) {
+    const StringSection& section = string.sections[i];
+    const auto named = [&](const std::string& what) { refuse(fmt::format("section {}: {}", i + 1, what)); };
+    if (!(section.length > 0.0 && std::isfinite(section.length))) named("length must be above 0");
+    if (section.segments < 1) named("needs at least one segment");
+    const Beam& beam = section.beam;
+    for (const double value :
+         {beam.axial, beam.shear, beam.torsion, beam.bending, beam.mass, beam.polar_inertia, beam.transverse_inertia})
+      if (!(value > 0.0 && std::isfinite(value))) named("stiffness, mass and inertia must be above 0");
+    for (const double value : {section.added_mass, section.drag_along, section.drag_across, section.drag_spinning})
+      if (!(value >= 0.0 && std::isfinite(value))) named("drag and added mass must be 0 or more");
+    if (!std::isfinite(section.weight)) named("weight is not a number");
+    for (const HolePiece& piece : string.hole) {
+      if (!(section.contact_radius < piece.radius))
+        named(fmt::format("radius {:g} m in a hole of radius {:g} m from {:g} m down (must be less)",
+                          section.contact_radius, piece.radius, piece.arc.begin));
+      const double bar = section.length / section.segments;
+      if (!(bar * piece.arc.curvature < 2.0))
+        named(fmt::format("segments of {:g} m in a bend of radius {:g} m (shorter than twice the radius)", bar,
+                          1.0 / piece.arc.curvature));
+    }
+  }
+  if (!(string.wall.stiffness > 0.0 && string.wall.damping >= 0.0)) refuse("the wall's spring must be above 0");
+  if (string.guided && string.hole.empty()) refuse("the bit is guided, but there is no hole");
+  if (string.on_rock && string.hole.empty()) refuse("the bit is on rock, but there is no hole");
+  if (string.upper_end != UpperEnd::table && string.longest_grown > 0.0) refuse("only a string at a table grows");
+  if (!(string.longest_grown >= 0.0 && std::isfinite(string.longest_grown))) refuse("grows by less than 0");
+}
+
+void set_segment(const WellString& string, Columns& columns, std::size_t i, double length) {
+  const StringSection& section = section_of(string, i);
+  const Beam& beam = section.beam;
+  const double bit = i == 0 ? string.bit_mass : 0.0, bit_spin = i == 0 ? string.bit_inertia : 0.0;
+  const double mass = beam.mass * length + bit, lateral = mass + section.added_mass * length;
+  const double spin = beam.polar_inertia * length + bit_spin;
+  const double tumble =
+      (beam.mass + section.added_mass) * length * length * length / 12.0 + beam.transverse_inertia * length;
+  const double turning = section.drag_across * length * length * length / 12.0;
+  columns.at(half_length, i) = 0.5 * length;
+  columns.at(inverse_mass, i) = 1.0 / lateral;
+  columns.at(inverse_mass_along, i) = 1.0 / mass - 1.0 / lateral;
+  columns.at(inverse_inertia, i) = 1.0 / tumble;
+  columns.at(inverse_inertia_along, i) = 1.0 / spin - 1.0 / tumble;
+  columns.at(weight, i) = section.weight * length + gravity * bit;
+  columns.at(drag_across, i) = section.drag_across * length;
+  columns.at(drag_along, i) = (section.drag_along - section.drag_across) * length;
+  columns.at(drag_turning, i) = turning;
+  columns.at(drag_spinning, i) = section.drag_spinning * length - turning;
+}
+
+void set_joint(const WellString& string, Columns& columns, std::size_t i, bool wall) {
+  const StringSection &below = section_of(string, i), &above = section_of(string, i + 1);
+  const double lower = columns.at(half_length, i), upper = wall ? 0.0 : columns.at(half_length, i + 1);
+  // halves of two segments in a row: their compliances add
+  const auto in_a_row = [&](double Beam::*stiffness) {
+    return 1.0 / (lower / (below.beam.*stiffness) + upper / (above.beam.*stiffness));
+  };
+  const MaterialDamping& beta = string.damping;
+  const double axial = in_a_row(&Beam::axial), shear = in_a_row(&Beam::shear), torsion = in_a_row(&Beam::torsion),
+               bending = in_a_row(&Beam::bending);
+  columns.at(axial_stiffness, i) = axial;
+  columns.at(shear_stiffness, i) = shear;
+  columns.at(torsion_stiffness, i) = torsion;
+  columns.at(bending_stiffness, i) = bending;
+  columns.at(axial_damping, i) = beta.axial * axial;
+  columns.at(shear_damping, i) = beta.shear * shear;
+  columns.at(torsion_damping, i) = beta.torsion * torsion;
+  columns.at(bending_damping, i) = beta.bending * bending;
+  set_vector(columns, bend, i, lower * below.bend + upper * above.bend);
+  columns.at(contact_radius, i) =
+      below.contact_radius > above.contact_radius ? below.contact_radius : above.contact_radius;
+}
+
+void renew_derived(Columns& columns, std::size_t place) {
+  Rotation q;
+  take(columns, frame, place, q);
+  const Vector3 d = direction_of(q);
+  Vector3 l;
+  take(columns, momentum, place, l);
+  put(columns, direction, place, d);
+  put(columns, rate, place,
+      columns[inverse_inertia][place] * l + (columns[inverse_inertia_along][place] * dot(l, d)) * d);
+}
+
+void renew_piece(const WellString& string, Columns& columns, std::size_t i) {
+  if (string.hole.empty()) return;
+  const Vector3 middle = 0.5 * (lower_end_of(columns, i + 1) + upper_end_of(columns, i));
+  const auto from = static_cast<std::size_t>(columns.at(piece, i));
+  const std::size_t found = piece_at(string.hole, middle, from);
+  const HolePiece& hole = string.hole[found];
+  columns.at(piece, i) = static_cast<double>(found);
+  columns.at(clearance, i) = hole.radius - columns.at(contact_radius, i);
+  columns.at(friction, i) = hole.friction;
+  set_vector(columns, arc_start, i, hole.arc.start);
+  set_vector(columns, arc_tangent, i, hole.arc.tangent);
+  set_vector(columns, arc_normal, i, hole.arc.normal);
+  columns.at(arc_curvature, i) = hole.arc.curvature;
+  set_vector(columns, end_tangent, i, hole.end_tangent);
+  columns.at(end_reach, i) = hole.end_reach;
+}
+
+Vector3 upper_end_of(const Columns& c, std::size_t i) {
+  return vector_at(c, position, i) - c.at(half_length, i) * vector_at(c, direction, i);
+}
+Vector3 lower_end_of(const Columns& c, std::size_t i) {
+  return vector_at(c, position, i) + c.at(half_length, i) * vector_at(c, direction, i);
+}
+Vector3 upper_velocity_of(const Columns& c, std::size_t i) {
+  return vector_at(c, velocity, i) - c.at(half_length, i) * cross(vector_at(c, rate, i), vector_at(c, direction, i));
+}
+Vector3 lower_velocity_of(const Columns& c, std::size_t i) {
+  return vector_at(c, velocity, i) + c.at(half_length, i) * cross(vector_at(c, rate, i), vector_at(c, direction, i));
+}
+double spin_of(const Columns& c, std::size_t i) {
+  return dot(vector_at(c, momentum, i), vector_at(c, direction, i)) *
+         (c.at(inverse_inertia, i) + c.at(inverse_inertia_along, i));
+}
+
+WellStringState unloaded(const WellString& string, const Vector3& origin, const Rotation& upper) {
+  WellStringState state = without_places(string);
+  Columns& columns = state.columns;
+  Vector3 end = origin;
+  Rotation q = upper;
+  const std::size_t top = state.count - 1;
+  if (string.upper_end == UpperEnd::clamped) {
+    set_vector(columns, position, state.count, origin);
+    set_rotation(columns, state.count, upper);
+    q = upper * rotation_by_twice(0.5 * vector_at(columns, bend, top));
+  }
+  for (std::size_t i = top + 1; i-- > 0;) {
+    if (i < top) q = rotation_at(columns, i + 1) * rotation_by_twice(0.5 * vector_at(columns, bend, i));
+    q = normalised(q);
+    const Vector3 d = direction_of(q);
+    set_rotation(columns, i, q);
+    set_vector(columns, position, i, end + columns.at(half_length, i) * d);
+    end += (2.0 * columns.at(half_length, i)) * d;
+  }
+  finish(string, state);
+  return state;
+}
+
+namespace {
+
+/// Measured depth at which a chord of `length` ends that begins on the path at `from`.
+double chord_end(const WellPath& path, double from, double length) {
+  const Vector3 begin = point_at(path, from).position;
+  double to = from + length;
+  for (int round = 0; round < 8; ++round) {
+    const WellPoint point = point_at(path, to);
+    const Vector3 chord = point.position - begin;
+    const double is = std::sqrt(dot(chord, chord));
+    to += (length - is) * is / dot(chord, point.tangent);
+  }
+  return to;
+}
+
+WellPath path_of(const std::vector<HolePiece>& hole) {
+  WellPath path;
+  for (const HolePiece& piece : hole) path.arcs.push_back(piece.arc);
+  return path;
+}
+
+}  // namespace
+
+WellStringState hung_in_hole(const WellString& string) {
+  WellStringState state = without_places(string);
+  if (string.hole.empty()) throw base::InputError("string in a well: no hole to hang in");
+  Columns& columns = state.columns;
+  const WellPath path = path_of(string.hole);
+  const std::size_t top = state.count - 1;
+  // the slope of each segment gives the tension, the tension the stretch, and that moves the segments a little
+  for (int round = 0; round < 4; ++round) {
+    double tension = 0.0;
+    for (std::size_t i = 0; i <= top; ++i) tension += columns.at(weight, i) * vector_at(columns, direction, i).z;
+    if (round == 0) tension = 0.0;
+    const double hoist = section_of(string, top).beam.axial / columns.at(half_length, top);
+    double depth = tension / hoist;
+    Vector3 d{0.0, 0.0, 1.0};
+    Rotation q = rotation_to(d);  // handed down from segment to segment without a twist
+    for (std::size_t i = top + 1; i-- > 0;) {
+      const double below = chord_end(path, depth, 2.0 * columns.at(half_length, i));
+      const Vector3 from = point_at(path, depth).position, to = point_at(path, below).position;
+      set_vector(columns, position, i, 0.5 * (from + to));
+      q = normalised(rotation_between(d, unit(to - from)) * q);
+      d = unit(to - from);
+      set_rotation(columns, i, q);
+      set_vector(columns, direction, i, d);
+      if (round > 0) tension -= columns.at(weight, i) * d.z;
+      depth = below + (i > 0 ? tension / columns.at(axial_stiffness, i - 1) : 0.0);
+      if (i == 0) state.bit.depth = below;
+    }
+  }
+  state.bit.face = state.bit.depth;
+  finish(string, state);
+  return state;
+}
+
+}  // namespace bitrock::runtime

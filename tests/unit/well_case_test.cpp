@@ -1,0 +1,128 @@
+// Cases with a well as files say them, and what the rig does.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/errors.hpp"
+#include "runtime/well/well_run.hpp"
+#include "tests/scratch.hpp"
+
+using namespace bitrock;
+using namespace bitrock::runtime;
+
+namespace {
+
+const std::string small = R"(name = "small"
+[well]
+measured_depth_m = [0, 60, 150]
+inclination_deg = [0, 0, 60]
+azimuth_deg = [0, 20, 20]
+[[hole]]
+to_depth_m = 150
+diameter_mm = 215.9
+friction = 0.2
+[[pipe]]
+length_m = 95
+outer_diameter_mm = 127
+inner_diameter_mm = 108.61
+segment_length_m = 10
+[top_drive]
+rotation_rpm = 30
+ramp_s = 1
+[friction]
+law = "none"
+[run]
+duration_s = 2
+step_ms = 0.5
+sample_ms = 10
+[[stress_point]]
+name = "middle"
+above_bit_m = 50
+)";
+
+class WellCases : public testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& text) {
+    const std::filesystem::path file = folder_.path() / "case.toml";
+    std::ofstream(file) << text;
+    return file;
+  }
+  std::string with(const std::string& from, const std::string& to) {
+    std::string text = small;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
+  void refused(const std::string& text, const std::string& word) {
+    try {
+      const WellCase well = read_well_case(write(text));
+      const WellString string = assemble(well);
+      require_stable(well, string);
+      FAIL() << word;
+    } catch (const base::InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
+
+  scratch::Folder folder_{"well_cases"};
+};
+
+TEST_F(WellCases, AreReadAndRun) {
+  const WellCase well = read_well_case(write(small));
+  EXPECT_NEAR(well.stations[2].inclination, std::acos(0.5), 1e-15);
+  EXPECT_EQ(well.stress_points[0].outer_diameter, 0.127);
+  const WellString string = assemble(well);
+  EXPECT_EQ(segment_count(string), 10u);
+  EXPECT_EQ(segment_length_of(string, 3), 9.5);
+  const WellRun run = run_well(well, string, make_source(well.drill, std::nullopt));
+  EXPECT_EQ(run.series.time_s.size(), 200u);
+  EXPECT_NEAR(run.series.drive_rotation_rad_per_s.back(), 30.0 * 2.0 * 3.14159265358979 / 60.0, 1e-12);
+  EXPECT_EQ(run.stresses.size(), 1u);
+  const WellStatics rest = statics(well, string);
+  EXPECT_EQ(rest.joints.size(), 9u);
+  EXPECT_GT(rest.hook_load, 0.0);
+}
+
+TEST_F(WellCases, TheShippedOneIsTheArticles) {
+  const WellCase well = read_well_case(std::filesystem::path(BITROCK_SOURCE_DIR) / "campaigns/drill/deviated.toml");
+  const WellString string = assemble(well);
+  EXPECT_EQ(segment_count(string), 120u);
+  EXPECT_NEAR(1.0 / string.hole[1].arc.curvature, 171.887, 1e-3);
+  require_stable(well, string);
+}
+
+TEST_F(WellCases, WrongOnesAreRefusedInWords) {
+  refused("name = \"no well\"\n", "[well]");
+  refused(small + "[string]\naxial_lumps = 2\n", "[string]");
+  refused(with("[0, 0, 60]", "[0, 60]"), "inclination_deg");
+  refused(with("[0, 60, 150]", "[0, 160, 150]"), "must grow");
+  refused(with("length_m = 95", "length_m = 195"), "must reach");
+  refused(with("diameter_mm = 215.9", "diameter_mm = 120"), "must be less");
+  refused(with("friction = 0.2", "friction = -0.2"), "friction");
+  refused(with("step_ms = 0.5", "step_ms = 5"), "step_ms");
+  refused(with("[run]", "[trip]\nweight_on_bit_kN = 40\n[run]"), "bottom");
+  refused(with("rotation_rpm = 30", "rotation_rpm = 30\nhook_load_kN = 3"), "hook_load_kN");
+  refused(with("[0, 0, 60]\n", "[0, 0, 60]\ntop = \"both\"\n"), "grow");
+}
+
+TEST(Rig, RunsInAsMuchAsIsAskedThenTurns) {
+  const RigPlan plan{.run_in = 20.0, .run_in_speed = 1.0, .ramp = 2.0, .rotation = 6.0, .rotation_ramp = 4.0};
+  RigState rig;
+  WellStringState state;
+  const double h = 1e-3;
+  double fed = 0.0, turned = 0.0;
+  for (int k = 0; k < 30000; ++k) {
+    const RigControls now = controls(plan, rig, state, h);
+    EXPECT_TRUE(now.feed_speed == 0.0 || now.drive_speed == 0.0);
+    fed += now.feed_speed * h;
+    turned += now.drive_speed * h;
+    state.time += h;
+  }
+  EXPECT_NEAR(fed, 20.0, 2e-3);                  // 22 s with both ramps
+  EXPECT_NEAR(turned, 6.0 * (8.0 - 2.0), 1e-2);  // half of the ramp is lost
+}
+
+}  // namespace

@@ -1,0 +1,144 @@
+// A string against the wall of its hole: rest, sliding, turning.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/verification/well_fixtures.hpp"
+
+using namespace well_test;
+
+namespace {
+
+constexpr double horizontal = 90.0 * degree;
+
+/// Free at both ends, on the low side of a horizontal hole of 8.5 in, at rest.
+WellString lying(const PipeSection& pipe, int segments, double friction) {
+  return {.sections = {section(pipe, 10.0 * segments, segments)},
+          .hole = straight_hole(horizontal, 20.0 * segments, 0.2159, friction)};
+}
+
+WellStringState at_rest(const WellString& string, double h) {
+  const double room = string.hole[0].radius - string.sections[0].contact_radius;
+  WellStringState state = unloaded(string, {2.0, 0.0, room}, rotation_to(string.hole[0].arc.tangent));
+  for (std::size_t i = 0; i + 1 < state.count; ++i) renew_piece(string, state.columns, i);
+  relax(string, state, h);
+  return state;
+}
+
+double total(const WellStringState& state, Column column) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 1 < state.count; ++i) sum += state.columns.at(column, i);
+  return sum;
+}
+
+TEST(WellContact, TheWallCarriesTheWeight) {
+  const WellString string = lying(drill_pipe(), 12, 0.25);
+  WellStringState state = at_rest(string, 5e-4);
+  advance(string, state, {}, nothing, 5e-4);
+  EXPECT_NEAR(total(state, wall_force), 120.0 * string.sections[0].weight, 1e-4 * 120.0 * string.sections[0].weight);
+}
+
+TEST(WellContact, ASliderStopsWhereCoulombSaysAndStays) {
+  // 1 m/s, mu .25: at rest after v / (mu g) = .4077 s and v^2 / (2 mu g) = .2039 m; then exactly still
+  const double h = 5e-4;
+  const WellString string = lying(drill_pipe(), 12, 0.25);
+  WellStringState state = at_rest(string, h);
+  for (std::size_t i = 0; i < state.count; ++i) set_vector(state.columns, velocity, i, {1.0, 0.0, 0.0});
+  const double start = vector_at(state.columns, position, 6).x;
+  double stopped = 0.0;
+  while (state.time < 0.8) {
+    advance(string, state, {}, nothing, h);
+    if (stopped == 0.0 && vector_at(state.columns, velocity, 6).x < 1e-3) stopped = state.time;
+  }
+  EXPECT_NEAR(stopped, .4077, 0.01);
+  EXPECT_NEAR(vector_at(state.columns, position, 6).x - start, .2039, 1e-3);
+  // then no joint slips, to rounding of the loads; what still moves a little are the free ends, which swing in bending
+  while (state.time < 3.0) advance(string, state, {}, nothing, h);
+  for (std::size_t i = 0; i + 1 < state.count; ++i) {
+    EXPECT_LT(std::abs(state.columns.at(slip_along, i)), 3e-8) << i;
+    EXPECT_LT(std::abs(state.columns.at(slip_around, i)), 3e-8) << i;
+  }
+}
+
+/// A pipe that a torque turns at 60 rpm in a horizontal hole: the torque of the wall at the beginning of rest, and
+/// where it lies.
+struct Climb {
+  double psi, torque;  ///< [rad] from the low side, [N m/m]
+};
+
+Climb climb(const PipeSection& pipe) {
+  const double h = 5e-4, mu = 0.25;
+  WellString string = lying(pipe, 12, mu);
+  string.sections[0].drag_across = 50.0;  // so that it settles soon
+  WellStringState state = at_rest(string, h);
+  const double weight = string.sections[0].weight, radius = string.sections[0].contact_radius;
+  const double torque = 120.0 * weight * radius * mu / std::sqrt(1.0 + mu * mu);
+  string.tip_moment = {torque, 0.0, 0.0};
+  for (std::size_t i = 0; i < state.count; ++i) {
+    const double inertia = 1.0 / (state.columns.at(inverse_inertia, i) + state.columns.at(inverse_inertia_along, i));
+    set_vector(state.columns, momentum, i, (inertia * 60.0 * rpm) * vector_at(state.columns, direction, i));
+    renew_derived(state.columns, state.columns.place_of(i));
+  }
+  while (state.time < 20.0) advance(string, state, {}, nothing, h);
+  Vector3 across_hole;
+  for (std::size_t i = 0; i + 1 < state.count; ++i) across_hole += vector_at(state.columns, wall_normal, i);
+  EXPECT_GT(spin_of(state.columns, 6), 1.0 * rpm);
+  return {.psi = std::abs(std::atan2(across_hole.y, across_hole.z)),
+          .torque = -radius * total(state, friction_around) / 120.0};
+}
+
+TEST(WellContact, APipeThatTurnsClimbsTheWall) {
+  // it rests at psi = atan mu = 14.036 degrees from the low side, N = w cos psi, torque w r mu / sqrt(1 + mu^2)
+  const Climb pipe = climb(drill_pipe()), collar = climb(drill_collar());
+  EXPECT_NEAR(pipe.psi / degree, 14.036, 0.1);
+  EXPECT_NEAR(pipe.torque, 4.036, 0.02);
+  EXPECT_NEAR(collar.psi / degree, 14.036, 0.1);
+  EXPECT_NEAR(collar.torque, 26.83, 0.13);
+}
+
+TEST(WellContact, FrictionTurnsWithTheSlip) {
+  // 60 rpm and 5 mm/s: the share of friction along the hole is .005 / .399 of mu N for drill pipe
+  const double around = 60.0 * rpm * 0.0635;
+  EXPECT_NEAR(0.005 / std::hypot(0.005, around), 0.005 / .399, 1e-5);
+  const double h = 5e-4;
+  const WellString string = lying(drill_pipe(), 12, 0.25);
+  WellStringState state = at_rest(string, h);
+  for (std::size_t i = 0; i < state.count; ++i) {
+    const double inertia = 1.0 / (state.columns.at(inverse_inertia, i) + state.columns.at(inverse_inertia_along, i));
+    set_vector(state.columns, momentum, i, (inertia * 60.0 * rpm) * vector_at(state.columns, direction, i));
+    set_vector(state.columns, velocity, i, {0.005, 0.0, 0.0});
+    renew_derived(state.columns, state.columns.place_of(i));
+  }
+  advance(string, state, {}, nothing, h);
+  const double normal = total(state, wall_force);
+  EXPECT_NEAR(-total(state, friction_along) / (0.25 * normal), 0.005 / .399, 2e-4);
+  EXPECT_NEAR(-total(state, friction_around) / (0.25 * normal), 1.0, 1e-3);
+}
+
+TEST(WellContact, AWeightlessStringOverABendHoldsBackByTheCapstanLaw) {
+  // T1 / T2 = exp(mu pi / 2) over 90 degrees, 1.481 for mu .25, plus what the discrete joints change: mu * 3.33 degrees
+  const double mu = 0.25, h = 2e-4;
+  const std::vector<HolePiece> hole =
+      hole_pieces(well_path({{0, 0, 0}, {30, 0, 0}, {300, horizontal, 0}, {400, horizontal, 0}}), {{400, 0.2159, mu}});
+  StringSection pipe = section(drill_pipe(), 330.0, 66);
+  pipe.weight = 0.0;
+  WellString string{.sections = {pipe}, .hole = hole, .upper_end = UpperEnd::table};
+  WellStringState state = hung_in_hole(string);
+  // pulled out: first loaded without friction, then the hoist goes up slowly against a dead load
+  string.tip_force = {1e5, 0.0, 0.0};
+  relax(string, state, h);
+  double sum = 0.0;
+  int samples = 0;
+  while (state.time < 8.0) {
+    state.top.reference -= 0.02 * std::min(1.0, state.time / 2.0) * h;
+    advance(string, state, {}, nothing, h);
+    if (state.time > 4.0) {
+      sum += state.top.hook_load;
+      ++samples;
+    }
+  }
+  EXPECT_NEAR(sum / samples / 1e5, std::exp(mu * horizontal), 0.01 * std::exp(mu * horizontal));
+}
+
+}  // namespace

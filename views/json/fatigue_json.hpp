@@ -1,0 +1,12 @@
+#pragma once
+/// The damage of a string as JSON.
+
+#include <nlohmann/json.hpp>
+
+#include "studies/well/fatigue_of_run.hpp"
+
+namespace bitrock::views {
+
+nlohmann::json as_json(const studies::FatigueWish& wish, const std::vector<studies::PointDamage>& damages);
+
+}  // namespace bitrock::views
