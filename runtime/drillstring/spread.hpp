@@ -18,6 +18,7 @@ struct RunningSpread {
   double count = 0.0, mean = 0.0, squares = 0.0;  ///< squares of the distances from the mean
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  ///< so far
 
+  /// The next value.
   void add(double value) {
     count += 1.0;
     const double from_old_mean = value - mean;

@@ -32,26 +32,26 @@ enum Column : std::size_t {
   drag_turning = 28,           ///< [N m s] of tumbling
   drag_spinning = 29,          ///< [N m s] of spin, less that of tumbling
   // of a joint: what it is
-  axial_stiffness = 30,  ///< [N/m], and so on in the order of `JointSprings`
-  shear_stiffness = 31,
-  torsion_stiffness = 32,
-  bending_stiffness = 33,
-  axial_damping = 34,
-  shear_damping = 35,
-  torsion_damping = 36,
-  bending_damping = 37,
-  bend = 38,  ///< [rad] rotation vector at rest
+  axial_stiffness = 30,    ///< [N/m], and so on in the order of `JointSprings`
+  shear_stiffness = 31,    ///< [N/m]
+  torsion_stiffness = 32,  ///< [N m/rad]
+  bending_stiffness = 33,  ///< [N m/rad]
+  axial_damping = 34,      ///< [N s/m]
+  shear_damping = 35,      ///< [N s/m]
+  torsion_damping = 36,    ///< [N m s/rad]
+  bending_damping = 37,    ///< [N m s/rad]
+  bend = 38,               ///< [rad] rotation vector at rest
   // of a joint: the hole around it
   contact_radius = 41,  ///< [m] of the pipe there
   clearance = 42,       ///< [m] between pipe and wall when it is in the middle
   friction = 43,        ///< [1]
   piece = 44,           ///< index of its piece of the hole
   arc_start = 45,       ///< [m], and so on in the order of `WellArc`
-  arc_tangent = 48,
-  arc_normal = 51,
-  arc_curvature = 54,
-  end_tangent = 55,
-  end_reach = 58,
+  arc_tangent = 48,     ///< down the hole at the begin of the piece
+  arc_normal = 51,      ///< from there to the centre of the arc
+  arc_curvature = 54,   ///< [1/m]
+  end_tangent = 55,     ///< down the hole at the end of the piece
+  end_reach = 58,       ///< [m] from the origin to the plane across the end, along `end_tangent`
   // of a joint: what acts in this step
   force_above = 59,      ///< [N] on the segment above
   torque_above = 62,     ///< [N m]
@@ -69,7 +69,7 @@ enum Column : std::size_t {
   wall_work = 83,      ///< [J] by the damper of the wall
   friction_work = 84,  ///< [J]
   drag_work = 85,      ///< [J] of the segment, by the mud
-  column_count = 86
+  column_count = 86    ///< how many there are
 };
 
 /// All columns in one block of memory. Segments of even number come first, then those of odd number: neighbours of a
@@ -78,13 +78,18 @@ struct Columns {
   std::size_t half = 0;        ///< places of one half; a multiple of the lanes
   std::vector<double> memory;  ///< column after column
 
+  /// Places of one column.
   std::size_t stride() const { return 2 * half; }
+  /// The first place of a column.
   double* operator[](Column column) { return memory.data() + column * stride(); }
+  /// The same, to read.
   const double* operator[](Column column) const { return memory.data() + column * stride(); }
 
   /// Place of a segment, and of the joint above it, in its column.
   std::size_t place_of(std::size_t i) const { return (i % 2) * half + i / 2; }
+  /// The number of segment or joint i.
   double& at(Column column, std::size_t i) { return (*this)[column][place_of(i)]; }
+  /// The same, to read.
   double at(Column column, std::size_t i) const { return (*this)[column][place_of(i)]; }
 };
 
@@ -101,6 +106,7 @@ template <class Real>
 BITROCK_INTO_BOTH void take(const Columns& columns, Column column, std::size_t place, Real& value) {
   load(columns[column] + place, value);
 }
+/// Three.
 template <class Real>
 BITROCK_INTO_BOTH void take(const Columns& columns, Column column, std::size_t place, Triple<Real>& value) {
   const double* from = columns[column] + place;
@@ -109,6 +115,7 @@ BITROCK_INTO_BOTH void take(const Columns& columns, Column column, std::size_t p
   load(from + stride, value.y);
   load(from + 2 * stride, value.z);
 }
+/// Four.
 template <class Real>
 BITROCK_INTO_BOTH void take(const Columns& columns, Column column, std::size_t place, Quaternion<Real>& value) {
   const double* from = columns[column] + place;
@@ -118,10 +125,12 @@ BITROCK_INTO_BOTH void take(const Columns& columns, Column column, std::size_t p
   load(from + 2 * stride, value.y);
   load(from + 3 * stride, value.z);
 }
+/// Writes what `take` reads.
 template <class Real>
 BITROCK_INTO_BOTH void put(Columns& columns, Column column, std::size_t place, const Real& value) {
   store(value, columns[column] + place);
 }
+/// Three.
 template <class Real>
 BITROCK_INTO_BOTH void put(Columns& columns, Column column, std::size_t place, const Triple<Real>& value) {
   double* to = columns[column] + place;
@@ -130,6 +139,7 @@ BITROCK_INTO_BOTH void put(Columns& columns, Column column, std::size_t place, c
   store(value.y, to + stride);
   store(value.z, to + 2 * stride);
 }
+/// Four.
 template <class Real>
 BITROCK_INTO_BOTH void put(Columns& columns, Column column, std::size_t place, const Quaternion<Real>& value) {
   double* to = columns[column] + place;
@@ -146,6 +156,7 @@ inline Vector3 vector_at(const Columns& columns, Column column, std::size_t i) {
   take(columns, column, columns.place_of(i), value);
   return value;
 }
+/// Sets it.
 inline void set_vector(Columns& columns, Column column, std::size_t i, const Vector3& value) {
   put(columns, column, columns.place_of(i), value);
 }

@@ -7,7 +7,11 @@ namespace bitrock::runtime {
 
 /// [J]; the weight's energy is 0 at the height of the table.
 struct WellEnergy {
-  double kinetic = 0.0, springs = 0.0, wall = 0.0, weight = 0.0;
+  double kinetic = 0.0;  ///< of motion
+  double springs = 0.0;  ///< in the springs of joints, hoist and drive
+  double wall = 0.0;     ///< in the springs of the wall
+  double weight = 0.0;   ///< of height
+  /// All of it.
   double total() const { return kinetic + springs + wall + weight; }
 };
 

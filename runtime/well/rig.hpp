@@ -18,12 +18,18 @@ struct RigPlan {
 };
 
 /// What it is at.
-enum class RigPhase : int { running_in, starting_to_turn, slacking_off, drilling };
+enum class RigPhase : int {
+  running_in,        ///< pipe is fed, nothing turns
+  starting_to_turn,  ///< the drive comes to its speed
+  slacking_off,      ///< pipe is fed until the rock bears the weight on bit
+  drilling           ///< pipe is fed at the drilling speed
+};
 
+/// Where the plan stands.
 struct RigState {
-  RigPhase phase = RigPhase::running_in;
-  double began = 0.0;  ///< [s] time at which the phase began
-  double felt = 0.0;   ///< [N] push of the rock, smoothed over a second
+  RigPhase phase = RigPhase::running_in;  ///< now
+  double began = 0.0;                     ///< [s] time at which the phase began
+  double felt = 0.0;                      ///< [N] push of the rock, smoothed over a second
 };
 
 /// Speed of the feed and of the drive for the step that begins now; goes on to the next phase where it is time. `h` [s]

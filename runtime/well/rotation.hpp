@@ -11,9 +11,9 @@ struct Quaternion {
   Real w{}, x{}, y{}, z{};  ///< cos of the half angle; sin of it times the axis
 };
 
-using Rotation = Quaternion<double>;
+using Rotation = Quaternion<double>;  ///< of one segment
 
-inline constexpr Rotation no_rotation{1.0, 0.0, 0.0, 0.0};
+inline constexpr Rotation no_rotation{1.0, 0.0, 0.0, 0.0};  ///< the frame is the world
 
 /// First b, then a.
 template <class Real>
@@ -22,6 +22,7 @@ BITROCK_INTO_BOTH Quaternion<Real> operator*(const Quaternion<Real>& a, const Qu
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
+/// The rotation back.
 template <class Real>
 BITROCK_INTO_BOTH Quaternion<Real> conjugate(const Quaternion<Real>& q) {
   return {q.w, -q.x, -q.y, -q.z};
@@ -33,6 +34,7 @@ struct Axes {
   Triple<Real> first, second, third;  ///< unit vectors
 };
 
+/// Of a unit quaternion.
 template <class Real>
 BITROCK_INTO_BOTH Axes<Real> axes_of(const Quaternion<Real>& q) {
   const Real xx = 2.0 * q.x * q.x, yy = 2.0 * q.y * q.y, zz = 2.0 * q.z * q.z;
@@ -47,11 +49,12 @@ BITROCK_INTO_BOTH Triple<Real> direction_of(const Quaternion<Real>& q) {
   return {1.0 - 2.0 * (q.y * q.y + q.z * q.z), 2.0 * (q.x * q.y + q.w * q.z), 2.0 * (q.x * q.z - q.w * q.y)};
 }
 
-/// From the frame to the world, and back.
+/// From the frame to the world.
 template <class Real>
 BITROCK_INTO_BOTH Triple<Real> to_world(const Axes<Real>& axes, const Triple<Real>& a) {
   return a.x * axes.first + a.y * axes.second + a.z * axes.third;
 }
+/// From the world to the frame.
 template <class Real>
 BITROCK_INTO_BOTH Triple<Real> to_frame(const Axes<Real>& axes, const Triple<Real>& a) {
   return {dot(axes.first, a), dot(axes.second, a), dot(axes.third, a)};
@@ -82,6 +85,7 @@ BITROCK_INTO_BOTH Quaternion<Real> rotation_by_twice(const Triple<Real>& half) {
   return {cosine, sine * half.x, sine * half.y, sine * half.z};
 }
 
+/// Of unit length; `q` must not be 0.
 template <class Real>
 BITROCK_INTO_BOTH Quaternion<Real> normalised(const Quaternion<Real>& q) {
   const Real scale = 1.0 / square_root(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);

@@ -14,6 +14,7 @@ struct SegmentMotion {
   double spin = 0.0;       ///< [rad/s] about it
 };
 
+/// Of segment i.
 SegmentMotion motion_of(const Columns& columns, std::size_t i);
 
 /// Gives segment i, whose length, mass and frame are set, this motion.

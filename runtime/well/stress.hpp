@@ -15,6 +15,7 @@ struct StressPoint {
   double outer_diameter = 0.0, inner_diameter = 0.0;  ///< [m] of the pipe there
 };
 
+/// At such a point.
 struct Stress {
   double axial = 0.0;           ///< [Pa] of tension alone
   double normal = 0.0;          ///< [Pa] of tension and bending, tension positive

@@ -14,6 +14,7 @@ struct StressHistory {
   std::vector<double> stress;   ///< [Pa] of tension and bending, one a sample
 };
 
+/// Of all points of a run.
 struct StressHistories {
   std::vector<double> time;           ///< [s] of the samples, rising
   double settling = 0.0;              ///< [s] before it the run did not count

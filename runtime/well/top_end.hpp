@@ -28,8 +28,11 @@ double table_energy(const WellString& string, const WellStringState& state);
 
 /// The hoist's springs; those of the drive [N/m], [N m/rad].
 struct TableSprings {
-  double hoist, sideways, drive;
+  double hoist;     ///< along the string
+  double sideways;  ///< of the table, across it
+  double drive;     ///< in twist
 };
+/// For the length that the uppermost segment has now.
 TableSprings table_springs(const WellString& string, const WellStringState& state);
 
 }  // namespace bitrock::runtime

@@ -13,36 +13,44 @@ struct Triple {
   Real x{}, y{}, z{};  ///< north, east, down; or along, across, across in the frame of a segment
 };
 
-using Vector3 = Triple<double>;
+using Vector3 = Triple<double>;  ///< of one segment
 
+/// Sum.
 template <class Real>
 BITROCK_INTO_BOTH Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
+/// Difference.
 template <class Real>
 BITROCK_INTO_BOTH Triple<Real> operator-(const Triple<Real>& a, const Triple<Real>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+/// The opposite.
 template <class Real>
 BITROCK_INTO_BOTH Triple<Real> operator-(const Triple<Real>& a) {
   return {-a.x, -a.y, -a.z};
 }
+/// `s` times as long.
 template <class Real, class Scale>
 BITROCK_INTO_BOTH Triple<Real> operator*(const Scale& s, const Triple<Real>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
+/// Adds.
 template <class Real>
 BITROCK_INTO_BOTH Triple<Real>& operator+=(Triple<Real>& a, const Triple<Real>& b) {
   return a = a + b;
 }
+/// Takes away.
 template <class Real>
 BITROCK_INTO_BOTH Triple<Real>& operator-=(Triple<Real>& a, const Triple<Real>& b) {
   return a = a - b;
 }
+/// Scalar product.
 template <class Real>
 BITROCK_INTO_BOTH Real dot(const Triple<Real>& a, const Triple<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// Vector product.
 template <class Real>
 BITROCK_INTO_BOTH Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -53,6 +61,7 @@ BITROCK_INTO_BOTH Triple<Real> across(const Triple<Real>& a, const Triple<Real>&
   return a - dot(a, t) * t;
 }
 
+/// Its length.
 inline double length(const Vector3& a) {
   return std::sqrt(dot(a, a));
 }
@@ -60,6 +69,7 @@ inline double length(const Vector3& a) {
 inline Vector3 unit(const Vector3& a) {
   return (1.0 / length(a)) * a;
 }
+/// Whether all three are.
 inline bool is_finite(const Vector3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

@@ -16,11 +16,12 @@ namespace bitrock::runtime {
 
 /// What a pipe of the case needs beside its section.
 struct WellPipe {
-  PipeSection pipe;
+  PipeSection pipe;               ///< its length and section
   double segment_length = 10.0;   ///< [m] of its segments, or a little less: a whole number of them
   double contact_diameter = 0.0;  ///< [m] with which it touches the wall, of its tool joints; 0: of the body
 };
 
+/// A drilling case with a well, as its file says it.
 struct WellCase {
   DrillCase drill;                         ///< bit, rock, excitation, run, speed of the drive, mud
   std::vector<SurveyStation> stations;     ///< of the case itself

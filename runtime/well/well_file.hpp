@@ -10,7 +10,7 @@ namespace bitrock::runtime {
 
 /// Root attributes of the file.
 inline constexpr const char* well_format = "bitrock-well";
-inline constexpr long long well_format_version = 1;
+inline constexpr long long well_format_version = 1;  ///< raised when a reader of the old one would read it wrong
 
 /// `config_toml`: the case as it was read. `model`: fingerprint of the networks, empty without. `settling`
 /// [s]: of the case.

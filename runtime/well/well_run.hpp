@@ -9,19 +9,19 @@ namespace bitrock::runtime {
 
 /// One entry a sample; values of that instant.
 struct WellSeries {
-  std::vector<double> time_s;
-  std::vector<double> hook_load_N;
-  std::vector<double> drive_torque_N_m;
-  std::vector<double> drive_rotation_rad_per_s;
-  std::vector<double> bit_rotation_rad_per_s;
-  std::vector<double> weight_on_bit_N;  ///< of the rock's spring
-  std::vector<double> source_force_N;   ///< axial, of the source
-  std::vector<double> torque_on_bit_N_m;
-  std::vector<double> rop_m_per_s;
-  std::vector<double> bit_depth_m;  ///< measured depth
-  std::vector<double> fed_m;        ///< pipe through the table
-  std::vector<double> bit_side_force_N;
-  std::vector<std::vector<double>> stress_Pa;  ///< of each stress point: tension and bending at its angle
+  std::vector<double> time_s;                    ///< instant
+  std::vector<double> hook_load_N;               ///< of the hoist on the string, upwards
+  std::vector<double> drive_torque_N_m;          ///< of the top drive on the string
+  std::vector<double> drive_rotation_rad_per_s;  ///< of the top drive
+  std::vector<double> bit_rotation_rad_per_s;    ///< of the bit
+  std::vector<double> weight_on_bit_N;           ///< of the rock's spring
+  std::vector<double> source_force_N;            ///< axial, of the source
+  std::vector<double> torque_on_bit_N_m;         ///< friction and fracture, against rotation
+  std::vector<double> rop_m_per_s;               ///< speed of the rock face
+  std::vector<double> bit_depth_m;               ///< measured depth
+  std::vector<double> fed_m;                     ///< pipe through the table
+  std::vector<double> bit_side_force_N;          ///< of the hole on the bit, across it
+  std::vector<std::vector<double>> stress_Pa;    ///< of each stress point: tension and bending at its angle
 };
 
 /// Over all steps of the time after `settling`, and at the end.
@@ -36,23 +36,25 @@ struct WellSummary {
   double energy_residual = 0.0;                             ///< [1] of that
   double longest_bar = 0.0;                                 ///< [m]
   double axial_pass_band = 0.0, torsional_pass_band = 0.0;  ///< [Hz] of the usual segments at the bit: c / (pi h)
-  ClampTally clamps;
-  DrawTally draws;
+  ClampTally clamps;                                        ///< questions to the networks outside their range
+  DrawTally draws;                                          ///< of peaks
 };
 
+/// A stress point of the case, and what it felt.
 struct StressAtEnd {
-  StressPoint point;
-  Stress stress;
-  Spread normal;  ///< [Pa] over the time after `settling`, as sampled
+  StressPoint point;  ///< of the case
+  Stress stress;      ///< at the end
+  Spread normal;      ///< [Pa] over the time after `settling`, as sampled
 };
 
+/// All that a run gave.
 struct WellRun {
-  WellSeries series;
-  WellSummary summary;
-  std::vector<StressAtEnd> stresses;
-  double step = 0.0;
-  long long steps = 0;
-  double wall_time = 0.0;
+  WellSeries series;                  ///< samples
+  WellSummary summary;                ///< means and extremes
+  std::vector<StressAtEnd> stresses;  ///< in the order of the case
+  double step = 0.0;                  ///< [s]
+  long long steps = 0;                ///< taken
+  double wall_time = 0.0;             ///< [s] on the clock
 };
 
 /// One joint of a string at rest.

@@ -59,11 +59,10 @@ struct WellString {
   double gauge_radius = 0.0;            ///< [m] of a guided bit that rubs on the hole like a joint; 0: it does not
   bool on_rock = false;                 ///< the laws at the bit act, on the piece of the hole it is in
   BitRock bit;                          ///< those laws
-  double bit_mass = 0.0,
-         bit_inertia =
-             0.0;  ///< [kg], [kg m^2] about the axis, of the bit; its mass sits at the centre of the lowest segment
-  Vector3 tip_force, tip_moment;  ///< [N], [N m] on the lower end, in the world
-  bool plain_vectors = false;     ///< on a machine with wide vectors, too: the same bits, only slower
+  double bit_mass = 0.0;                ///< [kg] at the centre of the lowest segment
+  double bit_inertia = 0.0;             ///< [kg m^2] of the bit about the axis
+  Vector3 tip_force, tip_moment;        ///< [N], [N m] on the lower end, in the world
+  bool plain_vectors = false;           ///< on a machine with wide vectors, too: the same bits, only slower
 };
 
 /// What the rig does in one step.
@@ -117,6 +116,7 @@ struct WellStringState {
 
 /// What segment i, counted from the bit, is cut from; and its length [m] when it was.
 const StringSection& section_of(const WellString& string, std::size_t i);
+/// Its length when it was cut [m].
 double segment_length_of(const WellString& string, std::size_t i);
 /// Segments at the beginning.
 std::size_t segment_count(const WellString& string);
@@ -140,10 +140,13 @@ void renew_derived(Columns& columns, std::size_t place);
 /// Puts joint i into the piece of the hole it lies in.
 void renew_piece(const WellString& string, Columns& columns, std::size_t i);
 
-/// Ends of segment i [m], and their velocities [m/s].
+/// The upper end of segment i [m].
 Vector3 upper_end_of(const Columns& columns, std::size_t i);
+/// The lower end [m].
 Vector3 lower_end_of(const Columns& columns, std::size_t i);
+/// Velocity of the upper end [m/s].
 Vector3 upper_velocity_of(const Columns& columns, std::size_t i);
+/// Velocity of the lower end [m/s].
 Vector3 lower_velocity_of(const Columns& columns, std::size_t i);
 /// Spin about the axis [rad/s].
 double spin_of(const Columns& columns, std::size_t i);

@@ -31,9 +31,9 @@ struct Survey {
 
 /// One row of the table that people read, a station.
 struct SurveyPoint {
-  runtime::SurveyStation station;
-  runtime::Vector3 position;  ///< [m] north, east, TVD
-  double curvature = 0.0;     ///< [rad/m] from the station above to this one; 0 at the first
+  runtime::SurveyStation station;  ///< of the file, or added
+  runtime::Vector3 position;       ///< [m] north, east, TVD
+  double curvature = 0.0;          ///< [rad/m] from the station above to this one; 0 at the first
 };
 
 /// Reads a table (CSV, TSV, blanks between the columns, a well trace of Petrel) or a WITSML trajectory. Throws

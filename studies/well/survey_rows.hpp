@@ -23,7 +23,8 @@ struct SurveyRows {
 
 /// The units that somebody says a file is in; empty: the file says it.
 struct SaidUnits {
-  std::string md, angle;
+  std::string md;     ///< of depths: m, ft or ftUS
+  std::string angle;  ///< of angles: deg or rad
 };
 
 /// A table with commas, tabs or blanks between the columns and a header that names them; units stand in the header, in

@@ -13,6 +13,7 @@ struct TextRow {
   std::vector<std::string> cells;  ///< without the blanks and quotes around them
 };
 
+/// A file of rows.
 struct TableText {
   std::string source;                 ///< file, for messages
   std::string separator;              ///< "comma", "tab" or "blank"
