@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "base/units.hpp"
@@ -20,58 +21,72 @@ using base::deg, base::kN, base::mm, base::ms;
 
 const base::Range depths = between(0.0, 2e4);  // m; the deepest wells have 15 km
 
+/// One section of which these keys may also be given in units of the oil field.
+base::Section in_oilfield_units(base::Section section, const std::vector<std::string>& keys) {
+  return base::also_in_oilfield_units({std::move(section)}, keys).front();
+}
+
 struct Words {
   std::string top = "split", survey;
   std::vector<double> depth, inclination, azimuth;
 };
 
 base::Section describe_well(WellCase& well, Words& words) {
-  return {
-      "well",
-      {{"survey", &words.survey, 1.0, any(), "survey file, relative to this file; or the three lists here"},
-       {"measured_depth_m", &words.depth, 1.0, depths, "of the stations, downwards"},
-       {"inclination_deg", &words.inclination, deg, between(0.0, 180.0), "of the stations, from the vertical"},
-       {"azimuth_deg", &words.azimuth, deg, between(-360.0, 720.0), "of the stations, from north to east"},
-       {"bottom_depth_m", &well.bottom_depth, 1.0, depths, "measured depth of the bottom at the beginning; 0: none"},
-       {"top", &words.top, 1.0, any(), "'split': the string gets new segments; 'grow': its top one gets longer"},
-       {"bit_gauge_mm", &well.bit_gauge, mm, zero_or(1.0, 2000.0), "diameter with which the bit rubs; 0: it does not"},
-       {"mud_added_mass", &well.mud_added_mass, 1.0, any(), "whether mud moves with the pipe across its axis"},
-       {"mud_drag_N_s_per_m2", &well.drag_across, 1.0, between(0.0, 1e6), "against motion across the axis, a metre"},
-       {"axial_damping_ms", &well.damping.axial, ms, between(0.0, 10.0), "damper over spring, along the pipe"},
-       {"shear_damping_ms", &well.damping.shear, ms, between(0.0, 10.0), "across"},
-       {"torsional_damping_ms", &well.damping.torsion, ms, between(0.0, 10.0), "in twist"},
-       {"bending_damping_ms", &well.damping.bending, ms, between(0.0, 10.0), "in bending"}}};
+  return in_oilfield_units(
+      {"well",
+       {{"survey", &words.survey, 1.0, any(), "survey file, relative to this file; or the three lists here"},
+        {"measured_depth_m", &words.depth, 1.0, depths, "of the stations, downwards"},
+        {"inclination_deg", &words.inclination, deg, between(0.0, 180.0), "of the stations, from the vertical"},
+        {"azimuth_deg", &words.azimuth, deg, between(-360.0, 720.0), "of the stations, from north to east"},
+        {"bottom_depth_m", &well.bottom_depth, 1.0, depths, "measured depth of the bottom at the beginning; 0: none"},
+        {"top", &words.top, 1.0, any(), "'split': the string gets new segments; 'grow': its top one gets longer"},
+        {"bit_gauge_mm", &well.bit_gauge, mm, zero_or(1.0, 2000.0), "diameter with which the bit rubs; 0: it does not"},
+        {"mud_added_mass", &well.mud_added_mass, 1.0, any(), "whether mud moves with the pipe across its axis"},
+        {"mud_drag_N_s_per_m2", &well.drag_across, 1.0, between(0.0, 1e6), "against motion across the axis, a metre"},
+        {"axial_damping_ms", &well.damping.axial, ms, between(0.0, 10.0), "damper over spring, along the pipe"},
+        {"shear_damping_ms", &well.damping.shear, ms, between(0.0, 10.0), "across"},
+        {"torsional_damping_ms", &well.damping.torsion, ms, between(0.0, 10.0), "in twist"},
+        {"bending_damping_ms", &well.damping.bending, ms, between(0.0, 10.0), "in bending"}}},
+      {"measured_depth_m", "bottom_depth_m", "bit_gauge_mm"});
 }
 
 base::Section describe_plan(RigPlan& plan) {
   const base::Range speed = between(1e-4, 10.0), ramp = between(0.0, 1e3);
-  return {"trip",
-          {{"run_in_m", &plan.run_in, 1.0, depths, "pipe that is run in before anything turns"},
-           {"speed_m_per_s", &plan.run_in_speed, 1.0, speed, "of that"},
-           {"ramp_s", &plan.ramp, 1.0, ramp, "of every change of the feed"},
-           {"weight_on_bit_kN", &plan.weight_on_bit, kN, between(0.0, 1e4), "to slack off to; 0: stays off bottom"},
-           {"slack_off_m_per_s", &plan.slack_off_speed, 1.0, between(1e-4, 1.0), "speed of that"}}};
+  return in_oilfield_units(
+      {"trip",
+       {{"run_in_m", &plan.run_in, 1.0, depths, "pipe that is run in before anything turns"},
+        {"speed_m_per_s", &plan.run_in_speed, 1.0, speed, "of that"},
+        {"ramp_s", &plan.ramp, 1.0, ramp, "of every change of the feed"},
+        {"weight_on_bit_kN", &plan.weight_on_bit, kN, between(0.0, 1e4), "to slack off to; 0: stays off bottom"},
+        {"slack_off_m_per_s", &plan.slack_off_speed, 1.0, between(1e-4, 1.0), "speed of that"}}},
+      {"run_in_m", "weight_on_bit_kN"});
 }
 
 base::Section describe_hole(HoleSection& hole) {
-  return {"hole",
-          {{"to_depth_m", &hole.to_depth, 1.0, between(1e-3, 2e4), "measured depth of its lower end", true},
-           {"diameter_mm", &hole.diameter, mm, between(1.0, 2000.0), "of hole or casing", true},
-           {"friction", &hole.friction, 1.0, between(0.0, 10.0), "coefficient", true}}};
+  return in_oilfield_units(
+      {"hole",
+       {{"to_depth_m", &hole.to_depth, 1.0, between(1e-3, 2e4), "measured depth of its lower end", true},
+        {"diameter_mm", &hole.diameter, mm, between(1.0, 2000.0), "of hole or casing", true},
+        {"friction", &hole.friction, 1.0, between(0.0, 10.0), "coefficient", true}}},
+      {"to_depth_m", "diameter_mm"});
 }
 
 base::Section describe_pipe(WellPipe& pipe) {
-  return {"pipe",
-          {{"segment_length_m", &pipe.segment_length, 1.0, between(0.1, 100.0), "of its segments, at most"},
-           {"contact_diameter_mm", &pipe.contact_diameter, mm, zero_or(1.0, 2000.0),
-            "with which it touches the wall, of tool joints; 0: of the body"}}};
+  return in_oilfield_units(
+      {"pipe",
+       {{"segment_length_m", &pipe.segment_length, 1.0, between(0.1, 100.0), "of its segments, at most"},
+        {"contact_diameter_mm", &pipe.contact_diameter, mm, zero_or(1.0, 2000.0),
+         "with which it touches the wall, of tool joints; 0: of the body"}}},
+      {"segment_length_m", "contact_diameter_mm"});
 }
 
 base::Section describe_point(StressPoint& point) {
-  return {"stress_point",
-          {{"name", &point.name, 1.0, any(), "for people", true},
-           {"above_bit_m", &point.above_bit, 1.0, depths, "along the string", true},
-           {"angle_deg", &point.angle, deg, between(0.0, 360.0), "around the pipe, turning with it"}}};
+  return in_oilfield_units(
+      {"stress_point",
+       {{"name", &point.name, 1.0, any(), "for people", true},
+        {"above_bit_m", &point.above_bit, 1.0, depths, "along the string", true},
+        {"angle_deg", &point.angle, deg, between(0.0, 360.0), "around the pipe, turning with it"}}},
+      {"above_bit_m"});
 }
 
 void take_stations(const base::ConfigFile& file, const Words& words, WellCase& well) {
