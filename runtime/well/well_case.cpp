@@ -123,9 +123,13 @@ void refuse_of_two_dimensions(const base::ConfigFile& file) {
   for (const char* table : {"string", "axial", "torsion", "wall"})
     if (file.has(table))
       throw base::InputError(fmt::format("{}: [{}] has no meaning beside [well] (take it out)", file.name(), table));
-  if (file.has("top_drive", "hook_load_kN"))
-    file.refuse("top_drive", "hook_load_kN",
-                "beside [well] the hook load is a result; trip.weight_on_bit_kN is asked for");
+  const struct {
+    const char *table, *key, *why;
+  } keys[] = {{"top_drive", "hook_load_kN", "is a result beside [well]; give trip.weight_on_bit_kN"},
+              {"run", "start", "has no meaning beside [well]: the string begins at rest"},
+              {"run", "off_bottom_mm", "has no meaning beside [well]; give well.bottom_depth_m"}};
+  for (const auto& k : keys)
+    if (file.has(k.table, k.key)) file.refuse(k.table, k.key, k.why);
 }
 
 /// [kg/m] of mud that moves with a pipe across its axis in a hole: rho (A_i + C A_o), C = (D^2 + d^2) / (D^2 - d^2),
@@ -206,6 +210,13 @@ WellString assemble(const WellCase& well) {
     total += part.pipe.length;
   }
   const WellPath path = well_path(well.stations);
+  constexpr double most_lean = 5.0 * deg;
+  if (well.stations.front().measured_depth != 0.0)
+    throw base::InputError(fmt::format("the survey begins at {:g} m (must begin at the rotary table, at 0)",
+                                       well.stations.front().measured_depth));
+  if (well.stations.front().inclination > most_lean)
+    throw base::InputError(fmt::format("the well begins at {:g} degrees (at most 5: the hoist lifts vertically)",
+                                       well.stations.front().inclination / deg));
   if (total > end_depth(path))
     throw base::InputError(fmt::format(
         "a string of {:g} m in a well of {:g} m (its survey must reach as deep as the bit)", total, end_depth(path)));

@@ -118,6 +118,9 @@ TEST_F(WellCases, WrongOnesAreRefusedInWords) {
   refused(with("step_ms = 0.5", "step_ms = 5"), "step_ms");
   refused(with("[run]", "[trip]\nweight_on_bit_kN = 40\n[run]"), "bottom");
   refused(with("rotation_rpm = 30", "rotation_rpm = 30\nhook_load_kN = 3"), "hook_load_kN");
+  refused(with("[0, 60, 150]", "[10, 60, 150]"), "rotary table");
+  refused(with("[0, 0, 60]", "[20, 0, 60]"), "hoist");
+  refused(with("step_ms = 0.5", "step_ms = 0.5\nstart = \"rest\""), "start");
   refused(with("[0, 0, 60]\n", "[0, 0, 60]\ntop = \"both\"\n"), "grow");
 }
 
