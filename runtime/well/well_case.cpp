@@ -19,6 +19,7 @@ namespace {
 using base::any, base::between, base::zero_or;
 using base::deg, base::kN, base::mm, base::ms;
 
+constexpr double most_segments = 4000;         // a minute of it takes half an hour
 const base::Range depths = between(0.0, 2e4);  // m; the deepest wells have 15 km
 
 /// One section of which these keys may also be given in units of the oil field.
@@ -191,7 +192,7 @@ WellCase read_well_case(const std::filesystem::path& path) {
 WellString assemble(const WellCase& well) {
   WellString string;
   const DrillCase& drill = well.drill;
-  double total = 0.0;
+  double total = 0.0, segments = 0.0;
   for (const WellPipe& part : well.pipes) {
     const Beam beam = beam_of(part.pipe);
     const double widest = std::max(part.contact_diameter, part.pipe.outer_diameter);
@@ -207,8 +208,12 @@ WellString assemble(const WellCase& well) {
     if (well.mud_added_mass && part.pipe.outer_diameter < narrowest)
       section.added_mass = added_mass(part.pipe, narrowest, drill.fluid_density);
     string.sections.push_back(section);
+    segments += section.segments;
     total += part.pipe.length;
   }
+  if (segments > most_segments)
+    throw base::InputError(fmt::format("a string of {:.0f} segments (at most {:.0f}: raise pipe.segment_length_m)",
+                                       segments, most_segments));
   const WellPath path = well_path(well.stations);
   constexpr double most_lean = 5.0 * deg;
   if (well.stations.front().measured_depth != 0.0)
