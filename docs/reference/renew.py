@@ -68,6 +68,9 @@ RUNS = [
     ("signal", f"signal {BIT} --model {MODEL} --rpm 120 --rop-m-per-h 15 --duration-s 0.1 --rate-hz 1000 -o signal.csv"),
     ("drill run", f"drill run short.toml --model {MODEL} -o drill.h5"),
     ("drill run --check", f"drill run short.toml --model {MODEL} --check"),
+    ("drill run in a well", "drill run well.toml -o well.h5"),
+    ("drill run in a well --check", "drill run well.toml --check"),
+    ("drill statics", "drill statics well.toml"),
     ("drill modes", "drill modes short.toml"),
     ("drill compare", f"drill compare short.toml --model {MODEL} --seeds 1,2 -o compare"),
     ("drill compare --check", f"drill compare short.toml --model {MODEL} --check"),
@@ -88,13 +91,20 @@ TABLES = [("Campaign: features.csv", "study/features.csv"), ("Campaign: features
           ("Curve of a laboratory test", "lab/ucs_seed_1.csv"), ("Journal of a calibration", "calibrated.toml.journal.csv"),
           ("Force on a bit: signal", "signal.csv"), ("drill compare: summary.csv", "compare/summary.csv"),
           ("drill map", "map.csv")]
-FILES = [("specimen.h5", "specimen.h5"), ("forces.h5", "study/forces.h5"), ("run.h5 (with --frames 2)", "run.h5"), ("drill.h5", "drill.h5")]
+FILES = [("specimen.h5", "specimen.h5"), ("forces.h5", "study/forces.h5"), ("run.h5 (with --frames 2)", "run.h5"), ("drill.h5", "drill.h5"),
+         ("well.h5", "well.h5")]
 
 
 def short_case():
     """The shipped stick-slip case, one second of it."""
     text = (SHIPPED / "drill/stick_slip.toml").read_text(encoding="utf-8").replace("../", f"{SHIPPED}/")
     return text.replace("duration_s = 30", "duration_s = 1").replace("settling_s = 5", "settling_s = 0.2")
+
+
+def short_well():
+    """The shipped string in a deviated well, the beginning of its trip."""
+    text = (SHIPPED / "drill/deviated.toml").read_text(encoding="utf-8").replace("../", f"{SHIPPED}/")
+    return text.replace("duration_s = 350", "duration_s = 1").replace("settling_s = 325", "settling_s = 0.2")
 
 
 def ran(program, arguments, folder):
@@ -212,7 +222,7 @@ def pages(build):
     made = {"keys.md": ran(lists, ["keys"], "."), "flags.md": ran(lists, ["flags"], ".")}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for file, text in {**INPUTS, "short.toml": short_case()}.items():
+        for file, text in {**INPUTS, "short.toml": short_case(), "well.toml": short_well()}.items():
             (folder / file).write_text(text, encoding="utf-8")
         results = "# JSON keys\n\n" + BY_HAND + (
             "`--json FILE` writes them. *null*: the run had no value there; *NAME*: an\n"

@@ -11,9 +11,7 @@
 #include "runtime/signal/vectors.hpp"
 
 // Everything here is inlined: no vector is handed over at a call.
-#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"
-#endif
 
 namespace bitrock::runtime {
 

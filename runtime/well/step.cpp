@@ -1,7 +1,9 @@
 #include "runtime/well/step.hpp"
 
 #include "runtime/well/bit_end.hpp"
-#include "runtime/well/passes.hpp"
+#include "runtime/well/friction_pass.hpp"
+#include "runtime/well/joint_pass.hpp"
+#include "runtime/well/segment_pass.hpp"
 #include "runtime/well/top_end.hpp"
 
 namespace bitrock::runtime {

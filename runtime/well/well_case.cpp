@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "base/units.hpp"
@@ -18,7 +19,13 @@ namespace {
 using base::any, base::between, base::zero_or;
 using base::deg, base::kN, base::mm, base::ms;
 
+constexpr double most_segments = 4000;         // a minute of it takes half an hour
 const base::Range depths = between(0.0, 2e4);  // m; the deepest wells have 15 km
+
+/// One section of which these keys may also be given in units of the oil field.
+base::Section in_oilfield_units(base::Section section, const std::vector<std::string>& keys) {
+  return base::also_in_oilfield_units({std::move(section)}, keys).front();
+}
 
 struct Words {
   std::string top = "split", survey;
@@ -26,52 +33,61 @@ struct Words {
 };
 
 base::Section describe_well(WellCase& well, Words& words) {
-  return {
-      "well",
-      {{"survey", &words.survey, 1.0, any(), "survey file, relative to this file; or the three lists here"},
-       {"measured_depth_m", &words.depth, 1.0, depths, "of the stations, downwards"},
-       {"inclination_deg", &words.inclination, deg, between(0.0, 180.0), "of the stations, from the vertical"},
-       {"azimuth_deg", &words.azimuth, deg, between(-360.0, 720.0), "of the stations, from north to east"},
-       {"bottom_depth_m", &well.bottom_depth, 1.0, depths, "measured depth of the bottom at the beginning; 0: none"},
-       {"top", &words.top, 1.0, any(), "'split': the string gets new segments; 'grow': its top one gets longer"},
-       {"bit_gauge_mm", &well.bit_gauge, mm, zero_or(1.0, 2000.0), "diameter with which the bit rubs; 0: it does not"},
-       {"mud_added_mass", &well.mud_added_mass, 1.0, any(), "whether mud moves with the pipe across its axis"},
-       {"mud_drag_N_s_per_m2", &well.drag_across, 1.0, between(0.0, 1e6), "against motion across the axis, a metre"},
-       {"axial_damping_ms", &well.damping.axial, ms, between(0.0, 10.0), "damper over spring, along the pipe"},
-       {"shear_damping_ms", &well.damping.shear, ms, between(0.0, 10.0), "across"},
-       {"torsional_damping_ms", &well.damping.torsion, ms, between(0.0, 10.0), "in twist"},
-       {"bending_damping_ms", &well.damping.bending, ms, between(0.0, 10.0), "in bending"}}};
+  return in_oilfield_units(
+      {"well",
+       {{"survey", &words.survey, 1.0, any(), "survey file, relative to this file; or the three lists here"},
+        {"measured_depth_m", &words.depth, 1.0, depths, "of the stations, downwards"},
+        {"inclination_deg", &words.inclination, deg, between(0.0, 180.0), "of the stations, from the vertical"},
+        {"azimuth_deg", &words.azimuth, deg, between(-360.0, 720.0), "of the stations, from north to east"},
+        {"bottom_depth_m", &well.bottom_depth, 1.0, depths, "measured depth of the bottom at the beginning; 0: none"},
+        {"top", &words.top, 1.0, any(), "'split': the string gets new segments; 'grow': its top one gets longer"},
+        {"bit_gauge_mm", &well.bit_gauge, mm, zero_or(1.0, 2000.0), "diameter with which the bit rubs; 0: it does not"},
+        {"mud_added_mass", &well.mud_added_mass, 1.0, any(), "whether mud moves with the pipe across its axis"},
+        {"mud_drag_N_s_per_m2", &well.drag_across, 1.0, between(0.0, 1e6), "against motion across the axis, a metre"},
+        {"axial_damping_ms", &well.damping.axial, ms, between(0.0, 10.0), "damper over spring, along the pipe"},
+        {"shear_damping_ms", &well.damping.shear, ms, between(0.0, 10.0), "across"},
+        {"torsional_damping_ms", &well.damping.torsion, ms, between(0.0, 10.0), "in twist"},
+        {"bending_damping_ms", &well.damping.bending, ms, between(0.0, 10.0), "in bending"}}},
+      {"measured_depth_m", "bottom_depth_m", "bit_gauge_mm"});
 }
 
 base::Section describe_plan(RigPlan& plan) {
   const base::Range speed = between(1e-4, 10.0), ramp = between(0.0, 1e3);
-  return {"trip",
-          {{"run_in_m", &plan.run_in, 1.0, depths, "pipe that is run in before anything turns"},
-           {"speed_m_per_s", &plan.run_in_speed, 1.0, speed, "of that"},
-           {"ramp_s", &plan.ramp, 1.0, ramp, "of every change of the feed"},
-           {"weight_on_bit_kN", &plan.weight_on_bit, kN, between(0.0, 1e4), "to slack off to; 0: stays off bottom"},
-           {"slack_off_m_per_s", &plan.slack_off_speed, 1.0, between(1e-4, 1.0), "speed of that"}}};
+  return in_oilfield_units(
+      {"trip",
+       {{"run_in_m", &plan.run_in, 1.0, depths, "pipe that is run in before anything turns"},
+        {"speed_m_per_s", &plan.run_in_speed, 1.0, speed, "of that"},
+        {"ramp_s", &plan.ramp, 1.0, ramp, "of every change of the feed"},
+        {"weight_on_bit_kN", &plan.weight_on_bit, kN, between(0.0, 1e4), "to slack off to; 0: stays off bottom"},
+        {"slack_off_m_per_s", &plan.slack_off_speed, 1.0, between(1e-4, 1.0), "speed of that"}}},
+      {"run_in_m", "weight_on_bit_kN"});
 }
 
 base::Section describe_hole(HoleSection& hole) {
-  return {"hole",
-          {{"to_depth_m", &hole.to_depth, 1.0, between(1e-3, 2e4), "measured depth of its lower end", true},
-           {"diameter_mm", &hole.diameter, mm, between(1.0, 2000.0), "of hole or casing", true},
-           {"friction", &hole.friction, 1.0, between(0.0, 10.0), "coefficient", true}}};
+  return in_oilfield_units(
+      {"hole",
+       {{"to_depth_m", &hole.to_depth, 1.0, between(1e-3, 2e4), "measured depth of its lower end", true},
+        {"diameter_mm", &hole.diameter, mm, between(1.0, 2000.0), "of hole or casing", true},
+        {"friction", &hole.friction, 1.0, between(0.0, 10.0), "coefficient", true}}},
+      {"to_depth_m", "diameter_mm"});
 }
 
 base::Section describe_pipe(WellPipe& pipe) {
-  return {"pipe",
-          {{"segment_length_m", &pipe.segment_length, 1.0, between(0.1, 100.0), "of its segments, at most"},
-           {"contact_diameter_mm", &pipe.contact_diameter, mm, zero_or(1.0, 2000.0),
-            "with which it touches the wall, of tool joints; 0: of the body"}}};
+  return in_oilfield_units(
+      {"pipe",
+       {{"segment_length_m", &pipe.segment_length, 1.0, between(0.1, 100.0), "of its segments, at most"},
+        {"contact_diameter_mm", &pipe.contact_diameter, mm, zero_or(1.0, 2000.0),
+         "with which it touches the wall, of tool joints; 0: of the body"}}},
+      {"segment_length_m", "contact_diameter_mm"});
 }
 
 base::Section describe_point(StressPoint& point) {
-  return {"stress_point",
-          {{"name", &point.name, 1.0, any(), "for people", true},
-           {"above_bit_m", &point.above_bit, 1.0, depths, "along the string", true},
-           {"angle_deg", &point.angle, deg, between(0.0, 360.0), "around the pipe, turning with it"}}};
+  return in_oilfield_units(
+      {"stress_point",
+       {{"name", &point.name, 1.0, any(), "for people", true},
+        {"above_bit_m", &point.above_bit, 1.0, depths, "along the string", true},
+        {"angle_deg", &point.angle, deg, between(0.0, 360.0), "around the pipe, turning with it"}}},
+      {"above_bit_m"});
 }
 
 void take_stations(const base::ConfigFile& file, const Words& words, WellCase& well) {
@@ -108,9 +124,13 @@ void refuse_of_two_dimensions(const base::ConfigFile& file) {
   for (const char* table : {"string", "axial", "torsion", "wall"})
     if (file.has(table))
       throw base::InputError(fmt::format("{}: [{}] has no meaning beside [well] (take it out)", file.name(), table));
-  if (file.has("top_drive", "hook_load_kN"))
-    file.refuse("top_drive", "hook_load_kN",
-                "beside [well] the hook load is a result; trip.weight_on_bit_kN is asked for");
+  const struct {
+    const char *table, *key, *why;
+  } keys[] = {{"top_drive", "hook_load_kN", "is a result beside [well]; give trip.weight_on_bit_kN"},
+              {"run", "start", "has no meaning beside [well]: the string begins at rest"},
+              {"run", "off_bottom_mm", "has no meaning beside [well]; give well.bottom_depth_m"}};
+  for (const auto& k : keys)
+    if (file.has(k.table, k.key)) file.refuse(k.table, k.key, k.why);
 }
 
 /// [kg/m] of mud that moves with a pipe across its axis in a hole: rho (A_i + C A_o), C = (D^2 + d^2) / (D^2 - d^2),
@@ -172,7 +192,7 @@ WellCase read_well_case(const std::filesystem::path& path) {
 WellString assemble(const WellCase& well) {
   WellString string;
   const DrillCase& drill = well.drill;
-  double total = 0.0;
+  double total = 0.0, segments = 0.0;
   for (const WellPipe& part : well.pipes) {
     const Beam beam = beam_of(part.pipe);
     const double widest = std::max(part.contact_diameter, part.pipe.outer_diameter);
@@ -188,9 +208,20 @@ WellString assemble(const WellCase& well) {
     if (well.mud_added_mass && part.pipe.outer_diameter < narrowest)
       section.added_mass = added_mass(part.pipe, narrowest, drill.fluid_density);
     string.sections.push_back(section);
+    segments += section.segments;
     total += part.pipe.length;
   }
+  if (segments > most_segments)
+    throw base::InputError(fmt::format("a string of {:.0f} segments (at most {:.0f}: raise pipe.segment_length_m)",
+                                       segments, most_segments));
   const WellPath path = well_path(well.stations);
+  constexpr double most_lean = 5.0 * deg;
+  if (well.stations.front().measured_depth != 0.0)
+    throw base::InputError(fmt::format("the survey begins at {:g} m (must begin at the rotary table, at 0)",
+                                       well.stations.front().measured_depth));
+  if (well.stations.front().inclination > most_lean)
+    throw base::InputError(fmt::format("the well begins at {:g} degrees (at most 5: the hoist lifts vertically)",
+                                       well.stations.front().inclination / deg));
   if (total > end_depth(path))
     throw base::InputError(fmt::format(
         "a string of {:g} m in a well of {:g} m (its survey must reach as deep as the bit)", total, end_depth(path)));

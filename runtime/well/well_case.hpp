@@ -50,8 +50,7 @@ WellString assemble(const WellCase& well);
 /// What people are told of the keys besides those of `drill_keys`.
 std::vector<base::KeyRow> well_keys();
 
-/// Throws `InputError` when the step of the run is longer than 0.8 of the longest stable one, or the feed moves by more
-/// than a tenth of a segment in a step.
+/// Throws `InputError` when the step of the run is longer than 0.8 of the longest stable one.
 void require_stable(const WellCase& well, const WellString& string);
 
 }  // namespace bitrock::runtime

@@ -2,6 +2,7 @@
 #include "dem2d/cut/cut_case.hpp"
 #include "runtime/bit/bit.hpp"
 #include "runtime/drillstring/drill_case.hpp"
+#include "runtime/well/well_case.hpp"
 #include "studies/calibrate/target.hpp"
 #include "studies/campaign/study.hpp"
 #include "tests/fuzz/targets.hpp"
@@ -65,6 +66,15 @@ std::vector<Target> config_targets() {
              read_as_file(bytes, "bit_.toml", [](const std::string& path) { runtime::read_bit(path); });
            },
        .seeds = {shipped("campaigns/bits/pdc15.toml")}},
+      {.name = "well_toml",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(bytes, "well.toml", [](const std::string& path) {
+               const runtime::WellCase well = runtime::read_well_case(path);
+               if (well.survey_file.empty()) runtime::require_stable(well, runtime::assemble(well));
+             });
+           },
+       .seeds = {with(shipped("campaigns/drill/deviated.toml"), "../bits/pdc15.toml", "bit.toml")}},
       {.name = "drill_toml",
        .read =
            [](std::string_view bytes) {

@@ -94,6 +94,19 @@ TEST_F(WellCases, TheShippedOneIsTheArticles) {
   require_stable(well, string);
 }
 
+TEST_F(WellCases, FeetAndInchesGiveTheSame) {
+  std::string text =
+      with("measured_depth_m = [0, 60, 150]", "measured_depth_ft = [0, 196.850393700787, 492.125984251969]");
+  for (const auto& [from, to] : {std::pair{"to_depth_m = 150", "to_depth_ft = 492.125984251969"},
+                                 std::pair{"diameter_mm = 215.9\n", "diameter_in = 8.5\n"},
+                                 std::pair{"length_m = 95", "length_ft = 311.679790026247"}})
+    text.replace(text.find(from), std::string(from).size(), to);
+  const WellString metres = assemble(read_well_case(write(small))), feet = assemble(read_well_case(write(text)));
+  EXPECT_NEAR(feet.hole[1].arc.curvature, metres.hole[1].arc.curvature, 1e-12 * metres.hole[1].arc.curvature);
+  EXPECT_NEAR(feet.hole[0].radius, metres.hole[0].radius, 1e-15);
+  EXPECT_NEAR(feet.sections[0].length, 95.0, 1e-10);
+}
+
 TEST_F(WellCases, WrongOnesAreRefusedInWords) {
   refused("name = \"no well\"\n", "[well]");
   refused(small + "[string]\naxial_lumps = 2\n", "[string]");
@@ -105,6 +118,9 @@ TEST_F(WellCases, WrongOnesAreRefusedInWords) {
   refused(with("step_ms = 0.5", "step_ms = 5"), "step_ms");
   refused(with("[run]", "[trip]\nweight_on_bit_kN = 40\n[run]"), "bottom");
   refused(with("rotation_rpm = 30", "rotation_rpm = 30\nhook_load_kN = 3"), "hook_load_kN");
+  refused(with("[0, 60, 150]", "[10, 60, 150]"), "rotary table");
+  refused(with("[0, 0, 60]", "[20, 0, 60]"), "hoist");
+  refused(with("step_ms = 0.5", "step_ms = 0.5\nstart = \"rest\""), "start");
   refused(with("[0, 0, 60]\n", "[0, 0, 60]\ntop = \"both\"\n"), "grow");
 }
 

@@ -1,0 +1,74 @@
+// `bitrock drill run` and `drill statics` of a case with a well, as a user calls them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/end_to_end/program.hpp"
+
+using namespace bitrock;
+
+namespace {
+
+using program::json, program::run;
+
+const std::string shipped = BITROCK_SOURCE_DIR "/campaigns/drill/deviated.toml";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// The shipped case, two seconds of it, without networks, its survey from a file.
+std::string short_case() {
+  std::string text = base::read_whole(shipped);
+  text = replaced(text, "duration_s = 350", "duration_s = 2");
+  text = replaced(text, "settling_s = 325", "settling_s = 1");
+  text = replaced(text, "source = \"bit\"\nmodel = \"../paper240/model.json\"", "source = \"none\"");
+  text = replaced(text, "file = \"../bits/pdc15.toml\"", "friction_radius_mm = 80");
+  return replaced(
+      text, "measured_depth_m = [0, 1205, 1475, 1700]\ninclination_deg = [0, 0, 90, 90]\nazimuth_deg = [0, 0, 0, 0]",
+      "survey = \"" BITROCK_SOURCE_DIR "/campaigns/drill/survey_example.csv\"");
+}
+
+TEST(DrillWell, RunsAndIsTheSameAgain) {
+  const scratch::Folder folder("drill_well_run");
+  base::write_whole(folder / "case.toml", short_case());
+  for (const char* name : {"one", "two"}) {
+    const auto outcome = run("drill run " + (folder / "case.toml").string() + " -o " + (folder / "run.h5").string() +
+                             " --json " + (folder / name).string());
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    EXPECT_NE(outcome.text.find("161 Hz along"), std::string::npos) << outcome.text;
+  }
+  auto one = json(folder / "one"), two = json(folder / "two");
+  EXPECT_EQ(one["summary"], two["summary"]);
+  EXPECT_EQ(one["stress_points"].size(), 4u);
+  EXPECT_NEAR(one["summary"]["fed_m"].get<double>(), 1.0, 1e-3);  // two seconds of ramp
+}
+
+TEST(DrillWell, StaticsOfTheShippedCase) {
+  const scratch::Folder folder("drill_well_statics");
+  const auto outcome = run("drill statics " + shipped + " --json " + (folder / "s.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const auto result = json(folder / "s.json");
+  // all vertical at first: the hook carries the weight, 1000 m of pipe, 200 m of collars and the bit
+  EXPECT_NEAR(result["hook_load_N"].get<double>(), 530.06e3 + 65.0 * 9.81, 10.0);
+  EXPECT_EQ(result["joints"].size(), 119u);
+}
+
+TEST(DrillWell, WrongOnesEndInWords) {
+  const scratch::Folder folder("drill_well_errors");
+  const auto refused = [&](const std::string& command, const std::string& text, const std::string& words) {
+    base::write_whole(folder / "case.toml", text);
+    const auto outcome = run("drill " + command + " " + (folder / "case.toml").string());
+    EXPECT_EQ(outcome.status, 2) << outcome.text;
+    EXPECT_NE(outcome.text.find(words), std::string::npos) << outcome.text;
+  };
+  refused("run", replaced(short_case(), "step_ms = 0.5", "step_ms = 2"), "step_ms");
+  refused("run", replaced(short_case(), "diameter_mm = 215.9", "diameter_mm = 160"), "must be less");
+  refused("run", replaced(short_case(), "friction = 0.25", "friction = -1"), "friction");
+  refused("statics", base::read_whole(BITROCK_SOURCE_DIR "/campaigns/drill/normal.toml"), "[well]");
+  refused("modes", short_case(), "[well]");
+}
+
+}  // namespace
