@@ -17,6 +17,7 @@ BITROCK_INTO_BOTH JointPlaces joint_places(const Columns& columns, std::size_t o
   return odd == 0 ? JointPlaces{k, columns.half + k} : JointPlaces{columns.half + k, k + 1};
 }
 
+/// The end of a segment: 1 the lower one, -1 the upper one.
 template <class Real>
 BITROCK_INTO_BOTH JointSide<Real> side_of(const Columns& columns, std::size_t place, double end) {
   JointSide<Real> side;
@@ -34,6 +35,7 @@ BITROCK_INTO_BOTH JointSide<Real> side_of(const Columns& columns, std::size_t pl
   return side;
 }
 
+/// Of the joint at a place.
 template <class Real>
 BITROCK_INTO_BOTH JointSprings<Real> springs_of(const Columns& columns, std::size_t place) {
   JointSprings<Real> k;
