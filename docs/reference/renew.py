@@ -71,6 +71,7 @@ RUNS = [
     ("drill run in a well", "drill run well.toml -o well.h5"),
     ("drill run in a well --check", "drill run well.toml --check"),
     ("drill statics", "drill statics well.toml"),
+    ("drill fatigue", "drill fatigue well.h5"),
     ("drill modes", "drill modes short.toml"),
     ("drill compare", f"drill compare short.toml --model {MODEL} --seeds 1,2 -o compare"),
     ("drill compare --check", f"drill compare short.toml --model {MODEL} --check"),

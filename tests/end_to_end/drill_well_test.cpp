@@ -46,6 +46,36 @@ TEST(DrillWell, RunsAndIsTheSameAgain) {
   EXPECT_NEAR(one["summary"]["fed_m"].get<double>(), 1.0, 1e-3);  // two seconds of ramp
 }
 
+TEST(DrillWell, FatigueOfARun) {
+  const scratch::Folder folder("drill_well_fatigue");
+  base::write_whole(folder / "case.toml", short_case());
+  const std::string file = (folder / "run.h5").string();
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto outcome = run("drill fatigue " + file + " --json " + (folder / "f.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("B1 air"), std::string::npos) << outcome.text;
+  const auto result = json(folder / "f.json");
+  ASSERT_EQ(result["joints"].size(), 4u);
+  EXPECT_EQ(result["joints"][0]["name"], "drill pipe, middle of the vertical");
+  EXPECT_GE(result["joints"][0]["damage_per_hour"].get<double>(), 0.0);
+  base::write_whole(folder / "sn.csv", "stress_range_MPa,cycles\n1000,1\n1e-3,2\n");  // steel that lives a turn or two
+  const auto soft = run("drill fatigue " + file + " --sn-table " + (folder / "sn.csv").string() + " --json " +
+                        (folder / "soft.json").string());
+  ASSERT_EQ(soft.status, 0) << soft.text;
+  EXPECT_GT(json(folder / "soft.json")["joints"][0]["damage_per_hour"].get<double>(),
+            1e3 * result["joints"][0]["damage_per_hour"].get<double>());
+  base::write_whole(folder / "sn.csv", "stress_range_MPa,cycles\n100,1e5\n200,1e6\n");
+  const auto refused = [&](const std::string& more, const std::string& words) {
+    const auto said = run("drill fatigue " + more);
+    EXPECT_EQ(said.status, 2) << said.text;
+    EXPECT_NE(said.text.find(words), std::string::npos) << said.text;
+  };
+  refused(file + " --sn-table " + (folder / "sn.csv").string(), "ranges must fall and cycles rise");
+  refused(file + " --sn-curve C7", "--sn-curve 'C7' (must be 'B1 air'");
+  refused(file + " --from-s 1.9999", "a cycle needs 3");
+  refused((folder / "case.toml").string(), "case.toml");
+}
+
 TEST(DrillWell, StaticsOfTheShippedCase) {
   const scratch::Folder folder("drill_well_statics");
   const auto outcome = run("drill statics " + shipped + " --json " + (folder / "s.json").string());
