@@ -31,7 +31,8 @@ TEST(Notch, StressIntensityOfTheCentreCrackedStrip) {
                isida[] = {1.0060, 1.0246, 1.0577, 1.1094, 1.1867, 1.3033, 1.4882, 1.8160};
   for (std::size_t k = 0; k < std::size(shares); ++k) {
     const double width = 0.05, length = shares[k] * width;
-    const double of_strip = dem2d::stress_intensity(3e6, length, width) / (3e6 * std::sqrt(std::numbers::pi * 0.5 * length));
+    const double of_strip =
+        dem2d::stress_intensity(3e6, length, width) / (3e6 * std::sqrt(std::numbers::pi * 0.5 * length));
     EXPECT_NEAR(of_strip, isida[k], 1.2e-3 * isida[k]) << shares[k];
   }
 }
@@ -104,6 +105,23 @@ TEST(Toughness, GrowsWithTheRootOfAllLengths) {
   EXPECT_GT(one.fracture_toughness, 0.0);
   EXPECT_TRUE(std::isnan(one.youngs_modulus));
   EXPECT_NEAR(one.fracture_height, 0.5, 0.2) << "it breaks where it is sawn";
+}
+
+TEST(Toughness, GrowsWithSofteningByLessThanTheRootOfItsEnergy) {
+  // The energy of a break grows 1 + zeta times, so K_Ic by its root at most: without softening a crack also spends what
+  // its neighbours shake out, and a core a few grains wide ends by its strength, which grows less.
+  dem2d::Specimen core = lab_specimens::coarse_core(1);
+  const dem2d::LabSettings settings = settings_of(core, 0.4 * core.width);
+  const dem2d::LabRun brittle = dem2d::run_lab_test(LabTest::toughness, core, settings);
+  double before = brittle.fracture_toughness;
+  for (const double softening : {1.0, 3.0, 9.0}) {
+    core.rock.tension_softening = softening;
+    const dem2d::LabRun soft = dem2d::run_lab_test(LabTest::toughness, core, settings);
+    EXPECT_GT(soft.fracture_toughness, before) << softening;
+    EXPECT_LT(soft.fracture_toughness, std::sqrt(1.0 + softening) * brittle.fracture_toughness) << softening;
+    EXPECT_NEAR(soft.fracture_height, 0.5, 0.2) << "it breaks where it is sawn";
+    before = soft.fracture_toughness;
+  }
 }
 
 TEST(Toughness, TheCutMustFitTheCore) {
