@@ -81,7 +81,7 @@ InterfaceForce element_by_element(World& world, std::size_t joint, const FlatJoi
   const auto elements = static_cast<std::size_t>(law.elements), first = joint * elements;
   ElementState* const state = &joints.state[first];
   double* const shear_stress = &joints.element_shear_stress[first];
-  if (joints.bonded[joint] == law.elements) {  // whole so far
+  if (joints.bonded[joint] == law.elements) {  // all have had the same shear so far
     std::fill_n(shear_stress, elements, joints.shear_stress[joint]);
     joints.shear_displacement[joint] = joints.shear_stress[joint] / law.shear_stiffness;
   }
