@@ -22,7 +22,8 @@
 ///
 /// **Strength** of a bonded element, with sigma = N / L and the trial shear stress tau* = tau + ks ds:
 /// it breaks in tension when sigma >= tensile strength, otherwise in shear when
-/// |tau*| >= max(0, cohesion - sigma tan(friction angle)). It never heals.
+/// |tau*| >= max(0, cohesion - sigma tan(friction angle)). It never heals. With tension softening it does not break at
+/// its tensile strength but goes on with less and less of it (tension_softening.hpp).
 ///
 /// **After the break** an element carries compression and friction while it is pressed (sigma < 0) and nothing
 /// otherwise: |tau| <= c_r - mu sigma, with the residual cohesion c_r only for elements broken in shear. At the break
@@ -54,6 +55,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "dem2d/contact/tension_softening.hpp"
+
 namespace bitrock::dem2d {
 
 /// What an element of a joint is; numbers as in files.
@@ -66,16 +69,17 @@ enum class ElementState : std::uint8_t {
 
 /// Stiffness and strength of one joint.
 struct FlatJointLaw {
-  int elements;               ///< N_r [1]
-  double half_length;         ///< R [m]
-  double normal_stiffness;    ///< kn [Pa/m]
-  double shear_stiffness;     ///< ks [Pa/m]
-  double tensile_strength;    ///< [Pa]
-  double cohesion;            ///< [Pa]
-  double tan_friction_angle;  ///< of the bonded element [1]
-  double friction;            ///< mu of the unbonded element [1]
-  double residual_cohesion;   ///< c_r of an element broken in shear [Pa]
-  bool drop_to_residual;      ///< tau at a shear break: false to zero, true to the residual strength
+  int elements;                    ///< N_r [1]
+  double half_length;              ///< R [m]
+  double normal_stiffness;         ///< kn [Pa/m]
+  double shear_stiffness;          ///< ks [Pa/m]
+  double tensile_strength;         ///< [Pa]
+  double cohesion;                 ///< [Pa]
+  double tan_friction_angle;       ///< of the bonded element [1]
+  double friction;                 ///< mu of the unbonded element [1]
+  double residual_cohesion;        ///< c_r of an element broken in shear [Pa]
+  bool drop_to_residual;           ///< tau at a shear break: false to zero, true to the residual strength
+  double tension_softening = 0.0;  ///< zeta; 0: an element breaks at its tensile strength [1]
 };
 
 /// Motion of the interface at time t, and the shear displacement of the step that led there.
@@ -117,27 +121,68 @@ inline NormalResultant unbonded_resultant(double kn, double length, double gap_a
   return {force, force * (length / 2.0 - closed / 3.0)};
 }
 
+/// Of a bonded element that has been open to `opening` at most (tension_softening.hpp).
+inline NormalResultant softened_resultant(const FlatJointLaw& law, double length, double gap_a, double gap_b,
+                                          double opening) {
+  const NormalResultant bonded = bonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
+  if (opening < 1.0) return bonded;
+  const NormalResultant unbonded = unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
+  const double share = remains_of(law.tension_softening, opening).stiffness;
+  return {share * bonded.force + (1.0 - share) * unbonded.force,
+          share * bonded.moment + (1.0 - share) * unbonded.moment};
+}
+
+/// What holds a bonded element under its present gaps.
+struct BondedElement {
+  NormalResultant normal;  ///< N and m
+  double shear_strength;   ///< [Pa]
+  bool torn;               ///< whether it breaks in tension now
+};
+
+/// Without softening, or before it.
+inline BondedElement bonded_element(const FlatJointLaw& law, double length, double gap_a, double gap_b) {
+  const NormalResultant whole = bonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
+  const double stress = whole.force / length;
+  return {whole, std::max(0.0, law.cohesion - stress * law.tan_friction_angle), stress >= law.tensile_strength};
+}
+
+/// With softening. `opening` is kept up from the tensile strength on; it is 0 below.
+inline BondedElement softening_element(const FlatJointLaw& law, double length, double gap_a, double gap_b,
+                                       double& opening) {
+  const BondedElement whole = bonded_element(law, length, gap_a, gap_b);
+  if (whole.torn) opening = std::max(opening, whole.normal.force / length / law.tensile_strength);
+  if (opening < 1.0) return whole;
+  const double strength = remains_of(law.tension_softening, opening).strength;
+  const NormalResultant normal = softened_resultant(law, length, gap_a, gap_b, opening);
+  if (strength == 0.0) return {normal, 0.0, true};
+  const double stress = normal.force / length;
+  const double friction =
+      stress < 0.0 ? strength * law.tan_friction_angle + (1.0 - strength) * law.friction : law.tan_friction_angle;
+  return {normal, std::max(0.0, strength * law.cohesion - stress * friction), false};
+}
+
 /// Largest shear stress of an unbonded element under the mean normal stress `stress` [Pa]; 0 when it is not pressed.
 inline double sliding_strength(const FlatJointLaw& law, ElementState state, double stress) {
   if (stress >= 0.0) return 0.0;
   return (state == ElementState::broken_in_shear ? law.residual_cohesion : 0.0) - law.friction * stress;
 }
 
-/// One step of one element: breaks or slides it, updates its state and shear stress, returns its normal resultant.
+/// One step of one element: breaks or slides it, updates its state, shear stress and largest opening, to which
+/// `opening` points where joints soften and not otherwise; returns its normal resultant.
 inline NormalResultant update_element(const FlatJointLaw& law, double length, double gap_a, double gap_b,
-                                      double shear_increment, ElementState& state, double& shear_stress) {
+                                      double shear_increment, ElementState& state, double& shear_stress,
+                                      double* opening = nullptr) {
   const double trial = shear_stress + law.shear_stiffness * shear_increment;
   if (state == ElementState::bonded) {
-    const NormalResultant whole = bonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
-    const double stress = whole.force / length;
-    const double shear_strength = std::max(0.0, law.cohesion - stress * law.tan_friction_angle);
-    if (stress >= law.tensile_strength) {
+    const BondedElement held = opening != nullptr ? softening_element(law, length, gap_a, gap_b, *opening)
+                                                  : bonded_element(law, length, gap_a, gap_b);
+    if (held.torn) {
       state = ElementState::broken_in_tension;
-    } else if (std::fabs(trial) >= shear_strength) {
+    } else if (std::fabs(trial) >= held.shear_strength) {
       state = ElementState::broken_in_shear;
     } else {
       shear_stress = trial;
-      return whole;
+      return held.normal;
     }
     const NormalResultant after = unbonded_resultant(law.normal_stiffness, length, gap_a, gap_b);
     const bool keeps_some = state == ElementState::broken_in_shear && law.drop_to_residual;
@@ -153,10 +198,11 @@ inline NormalResultant update_element(const FlatJointLaw& law, double length, do
 
 inline constexpr int max_elements = 64;  ///< of a joint: one bit each in the mask of breaks
 
-/// The reference: one step of one joint, element by element. `state` and `shear_stress` point at the joint's `elements`
-/// entries. Returns the force; bit e of `broken` is set when element e broke in this step.
+/// The reference: one step of one joint, element by element. `state`, `shear_stress` and, where joints soften,
+/// `opening` point at the joint's `elements` entries. Returns the force; bit e of `broken` is set when element e broke
+/// in this step.
 inline InterfaceForce update_flat_joint(const FlatJointLaw& law, const InterfaceMotion& motion, ElementState* state,
-                                        double* shear_stress, std::uint64_t& broken) {
+                                        double* shear_stress, std::uint64_t& broken, double* opening = nullptr) {
   InterfaceForce total;
   broken = 0;
   const double length = 2.0 * law.half_length / law.elements;
@@ -165,8 +211,8 @@ inline InterfaceForce update_flat_joint(const FlatJointLaw& law, const Interface
     const double gap_a = motion.gap - motion.rotation * start;
     const double gap_b = motion.gap - motion.rotation * (start + length);
     const bool was_bonded = state[e] == ElementState::bonded;
-    const NormalResultant normal =
-        update_element(law, length, gap_a, gap_b, motion.shear_increment, state[e], shear_stress[e]);
+    const NormalResultant normal = update_element(law, length, gap_a, gap_b, motion.shear_increment, state[e],
+                                                  shear_stress[e], opening == nullptr ? nullptr : opening + e);
     if (was_bonded && state[e] != ElementState::bonded) broken |= std::uint64_t{1} << e;
     total.normal += normal.force;
     total.shear += shear_stress[e] * length;

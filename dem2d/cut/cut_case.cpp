@@ -211,7 +211,7 @@ std::vector<base::Section> case_and_rock(CutCase& cut) {
   sections.erase(sections.begin());  // the rock's content says it better than its file name
   leave_out_unused(sections, cut);
   // a cut brings its own bed
-  for (base::Section& section : describe_material(cut.rock)) sections.push_back(std::move(section));
+  for (base::Section& section : describe_kept_material(cut.rock)) sections.push_back(std::move(section));
   return sections;
 }
 

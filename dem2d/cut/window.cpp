@@ -41,10 +41,12 @@ void append_joint(FlatJoints& to, const FlatJoints& from, std::size_t joint, int
   to.disc1.push_back(disc1);
   to.disc2.push_back(disc2);
   to.bonded.push_back(from.bonded[joint]);
+  if (!from.softened.empty()) to.softened.push_back(from.softened[joint]);
   const auto elements = static_cast<std::size_t>(from.elements);
   for (std::size_t element = joint * elements; element < (joint + 1) * elements; ++element) {
     to.element_shear_stress.push_back(from.element_shear_stress[element]);
     to.state.push_back(from.state[element]);
+    if (!from.element_opening.empty()) to.element_opening.push_back(from.element_opening[element]);
   }
 }
 
@@ -177,7 +179,8 @@ Window open_window(World& world, const CutCase& cut, double tip_x) {
   world.discs = {};
   world.joints = {.elements = world.joints.elements,
                   .residual_cohesion = world.joints.residual_cohesion,
-                  .drop_to_residual = world.joints.drop_to_residual};
+                  .drop_to_residual = world.joints.drop_to_residual,
+                  .tension_softening = world.joints.tension_softening};
   world.contacts = {};
   for (std::vector<double>* values : {&world.lists.listed_x, &world.lists.listed_y, &world.lists.listed_margin})
     values->clear();

@@ -55,6 +55,7 @@ World bonded_world(const Specimen& specimen, int threads) {
   world.joints.elements = rock.elements;
   world.joints.residual_cohesion = rock.residual_cohesion;
   world.joints.drop_to_residual = rock.drop_to_residual;
+  world.joints.tension_softening = rock.tension_softening;
   JointProperties properties{.modulus = rock.joint_modulus,
                              .stiffness_ratio = rock.joint_stiffness_ratio,
                              .radius_multiplier = rock.radius_multiplier,

@@ -59,6 +59,7 @@ void order_in_columns(World& world) {
   for (std::vector<double>* values : number_arrays(joints)) permute(*values, joint_order);
   const auto elements = static_cast<std::size_t>(joints.elements);
   permute(joints.element_shear_stress, joint_order, elements);
+  permute(joints.element_opening, joint_order, elements);
   permute(joints.state, joint_order, elements);
   world.lists.valid = false;
 }

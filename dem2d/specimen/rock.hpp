@@ -43,6 +43,7 @@ struct Rock {
   double initial_gap = 0.0;                 ///< of gapped joints [m]
   double residual_cohesion = 0.0;           ///< of elements broken in shear [Pa]
   bool drop_to_residual = false;            ///< shear stress at a shear break: false to zero
+  double tension_softening = 0.0;           ///< zeta (contact/tension_softening.hpp); 0: none [1]
 
   // linear contacts: loose discs
   double contact_modulus = 1.5e9;            ///< E* [Pa]
@@ -70,6 +71,13 @@ std::vector<base::Section> describe(Rock& rock);
 
 /// The same without the size of specimens made on their own: all that the behaviour of the rock depends on.
 std::vector<base::Section> describe_material(Rock& rock);
+
+/// `describe` as it is kept and compared: without tension softening where there is none, so that texts of rocks from
+/// before there was such a key, and what is named by them, stay valid.
+std::vector<base::Section> describe_kept(Rock& rock);
+
+/// The same of `describe_material`.
+std::vector<base::Section> describe_kept_material(Rock& rock);
 
 /// Reads and checks; throws `base::InputError` with file, line and key.
 Rock read_rock(const std::filesystem::path& path);

@@ -125,7 +125,8 @@ HWY_INLINE std::uint64_t a_vector_of_joints(World& world, const int* joint, D d)
     const auto j = static_cast<std::size_t>(joint[lane]);
     first[lane] = joints.disc1[j];
     second[lane] = joints.disc2[j];
-    left |= (joints.bonded[j] == elements ? std::uint64_t{1} : 0) << lane;
+    const bool softens = !joints.softened.empty() && joints.softened[j] > 0;
+    left |= (softens || joints.bonded[j] == elements ? std::uint64_t{1} : 0) << lane;
   }
   const auto one = motion_of(d, world.room.motion.data(), first), two = motion_of(d, world.room.motion.data(), second);
   const auto pair = pair_of(d, one, two, of_joint(joints.radius_difference));

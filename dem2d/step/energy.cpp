@@ -57,7 +57,7 @@ JointPosition joint_position(const World& world, std::size_t joint) {
 double joint_energy(const World& world, std::size_t joint) {
   const JointPosition now = joint_position(world, joint);
   const FlatJointLaw law = world.joints.law(joint);
-  if (world.joints.bonded[joint] == law.elements) {
+  if (world.joints.whole(joint)) {
     return whole_joint_energy(law, now.gap, now.rotation, world.joints.shear_stress[joint]);
   }
   const double length = 2.0 * law.half_length / law.elements;
@@ -65,8 +65,12 @@ double joint_energy(const World& world, std::size_t joint) {
   for (int e = 0; e < law.elements; ++e) {
     const double start = -law.half_length + length * e;
     const auto element = joint * static_cast<std::size_t>(law.elements) + static_cast<std::size_t>(e);
-    energy += stored_energy(law, length, {now.gap - now.rotation * start, now.gap - now.rotation * (start + length)},
-                            world.joints.state[element], world.joints.element_shear_stress[element]);
+    energy +=
+        stored_energy(law, length,
+                      {.gaps = {now.gap - now.rotation * start, now.gap - now.rotation * (start + length)},
+                       .state = world.joints.state[element],
+                       .shear_stress = world.joints.element_shear_stress[element],
+                       .opening = world.joints.element_opening.empty() ? 0.0 : world.joints.element_opening[element]});
   }
   return energy;
 }

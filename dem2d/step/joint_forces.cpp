@@ -34,9 +34,20 @@ inline void record_cracks(std::vector<Crack>& fresh, const World& world, std::si
   }
 }
 
-/// Adds up what the elements of a joint lost in this step. `state` and `shear_stress` are those before the step.
+/// What an element keeps from step to step.
+struct History {
+  ElementState state;
+  double shear_stress, opening;
+};
+
+inline History history_of(const FlatJoints& joints, std::size_t element) {
+  return {joints.state[element], joints.element_shear_stress[element],
+          joints.element_opening.empty() ? 0.0 : joints.element_opening[element]};
+}
+
+/// Adds up what the elements of a joint lost in this step, from what they were `before` it.
 inline void measure_joint(World& world, std::size_t joint, const FlatJointLaw& law, const PairMotion& pair,
-                          const InterfaceMotion& motion, const ElementState* state, const double* shear_stress) {
+                          const InterfaceMotion& motion, const History* before) {
   FlatJoints& joints = world.joints;
   const auto i = static_cast<std::size_t>(joints.disc1[joint]), j = static_cast<std::size_t>(joints.disc2[joint]);
   const double length = 2.0 * law.half_length / law.elements;
@@ -46,13 +57,17 @@ inline void measure_joint(World& world, std::size_t joint, const FlatJointLaw& l
   for (int e = 0; e < law.elements; ++e) {
     const double start = -law.half_length + length * e, end = start + length;
     const auto element = first + static_cast<std::size_t>(e);
-    const ElementLoss loss = element_loss(
-        law, length,
-        {{gap_before - rotation_before * start, gap_before - rotation_before * end}, state[e], shear_stress[e]},
-        {{motion.gap - motion.rotation * start, motion.gap - motion.rotation * end},
-         joints.state[element],
-         joints.element_shear_stress[element]},
-        motion.shear_increment);
+    const History now = history_of(joints, element);
+    const ElementLoss loss = element_loss(law, length,
+                                          {{gap_before - rotation_before * start, gap_before - rotation_before * end},
+                                           before[e].state,
+                                           before[e].shear_stress,
+                                           before[e].opening},
+                                          {{motion.gap - motion.rotation * start, motion.gap - motion.rotation * end},
+                                           now.state,
+                                           now.shear_stress,
+                                           now.opening},
+                                          motion.shear_increment);
     joints.friction_loss[joint] += loss.friction;
     joints.switching_loss[joint] += loss.switching;
     joints.breaking_loss[joint] += loss.breaking;
@@ -66,31 +81,35 @@ InterfaceForce element_by_element(World& world, std::size_t joint, const FlatJoi
   const auto elements = static_cast<std::size_t>(law.elements), first = joint * elements;
   ElementState* const state = &joints.state[first];
   double* const shear_stress = &joints.element_shear_stress[first];
-  if (joints.bonded[joint] == law.elements) {  // whole so far
+  if (joints.bonded[joint] == law.elements) {  // all have had the same shear so far
     std::fill_n(shear_stress, elements, joints.shear_stress[joint]);
     joints.shear_displacement[joint] = joints.shear_stress[joint] / law.shear_stiffness;
   }
-  std::array<ElementState, max_elements> state_before;
-  std::array<double, max_elements> shear_before;
+  const bool softens = !joints.element_opening.empty();
+  double* const opening = softens ? &joints.element_opening[first] : nullptr;
+  std::array<History, max_elements> before;
   if constexpr (measured) {
-    std::copy_n(state, elements, state_before.begin());
-    std::copy_n(shear_stress, elements, shear_before.begin());
+    for (std::size_t e = 0; e < elements; ++e) before[e] = history_of(joints, first + e);
   }
   std::uint64_t broken = 0;
-  const InterfaceForce force = update_flat_joint(law, motion, state, shear_stress, broken);
+  const InterfaceForce force = update_flat_joint(law, motion, state, shear_stress, broken, opening);
   joints.shear_stress[joint] = shear_stress[0];
   joints.shear_displacement[joint] += motion.shear_increment;
   if (broken != 0) {
     joints.bonded[joint] -= std::popcount(broken);
     record_cracks(fresh, world, joint, pair, broken);
   }
-  if constexpr (measured) {
-    measure_joint(world, joint, law, pair, motion, state_before.data(), shear_before.data());
+  if (softens) {
+    int softened = 0;
+    for (std::size_t e = 0; e < elements; ++e)
+      softened += state[e] == ElementState::bonded && opening[e] >= 1.0 ? 1 : 0;
+    joints.softened[joint] = softened;
   }
+  if constexpr (measured) measure_joint(world, joint, law, pair, motion, before.data());
   return force;
 }
 
-/// The reference path, and the only one for a joint that is damaged or may be at its strength.
+/// The reference path, and the only one for a joint that softens or may be at its strength.
 template <bool measured>
 void one_joint(World& world, std::size_t joint, std::vector<Crack>& fresh) {
   const FlatJoints& joints = world.joints;

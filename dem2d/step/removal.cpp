@@ -27,6 +27,7 @@ void keep_joints(FlatJoints& joints, const std::vector<char>& flags) {
   for (std::vector<int>* values : integer_arrays(joints)) keep(*values, flags);
   for (std::vector<double>* values : number_arrays(joints)) keep(*values, flags);
   keep(joints.element_shear_stress, flags, static_cast<std::size_t>(joints.elements));
+  keep(joints.element_opening, flags, static_cast<std::size_t>(joints.elements));
   keep(joints.state, flags, static_cast<std::size_t>(joints.elements));
 }
 

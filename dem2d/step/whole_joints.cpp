@@ -25,7 +25,7 @@ struct Arrays {
   const double *x, *y, *velocity_x, *velocity_y, *angle, *spin;
   const MotionRow* motion;
   std::size_t discs;
-  const int *disc1, *disc2, *bonded;
+  const int *disc1, *disc2, *bonded, *softened;
   const double *radius_difference, *touching_distance, *stress_free_rotation, *half_length;
   const double *normal_stiffness, *shear_stiffness, *tensile_strength, *cohesion, *tan_friction_angle;
   double* shear_stress;
@@ -46,6 +46,7 @@ Arrays arrays_of(World& world) {
           .disc1 = j.disc1.data(),
           .disc2 = j.disc2.data(),
           .bonded = j.bonded.data(),
+          .softened = j.softened.data(),
           .radius_difference = j.radius_difference.data(),
           .touching_distance = j.touching_distance.data(),
           .stress_free_rotation = j.stress_free_rotation.data(),
@@ -86,7 +87,7 @@ struct Constants {
 constexpr int lane_numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 
 /// As many joints as D has lanes, from `first` on. Adds those that are left to the reference path to `left`.
-template <class D>
+template <bool softens, class D>
 HWY_INLINE void a_vector_of_joints(const Arrays& a, const Constants& constants, std::size_t first, int*& left, D d) {
   const hn::RebindToSigned<D> indices;
   const hn::Rebind<int, D> numbers;
@@ -106,8 +107,9 @@ HWY_INLINE void a_vector_of_joints(const Arrays& a, const Constants& constants, 
   const auto below_tension = hn::Lt(largest, margin * load(a.tensile_strength));
   const auto below_shear =
       hn::Lt(hn::Abs(shear_stress), margin * (load(a.cohesion) - largest * load(a.tan_friction_angle)));
-  const auto whole =
-      hn::Eq(hn::PromoteTo(indices, hn::LoadU(numbers, a.bonded + first)), hn::Set(indices, constants.elements));
+  auto sound = hn::LoadU(numbers, a.bonded + first);
+  if constexpr (softens) sound = sound - hn::LoadU(numbers, a.softened + first);
+  const auto whole = hn::Eq(hn::PromoteTo(indices, sound), hn::Set(indices, constants.elements));
   const auto done = hn::And(hn::And(below_tension, below_shear), hn::RebindMask(d, whole));
   hn::BlendedStore(shear_stress, done, d, a.shear_stress + first);
 
@@ -124,7 +126,8 @@ HWY_INLINE void a_vector_of_joints(const Arrays& a, const Constants& constants, 
   left += std::popcount(bits[0]);
 }
 
-std::size_t WholeJointForces(World& world, const Range& range, int* left) {
+template <bool softens>
+std::size_t joints_in(World& world, const Range& range, int* left) {
   const hn::ScalableTag<double> all_lanes;
   const hn::CappedTag<double, 1> one_lane;
   const std::size_t lanes = hn::Lanes(all_lanes);
@@ -132,9 +135,14 @@ std::size_t WholeJointForces(World& world, const Range& range, int* left) {
   const Constants constants{world.joints.elements, world.step, 1.0 - 1.0 / world.joints.elements};
   int* end = left;
   std::size_t joint = range.begin;
-  for (; joint + lanes <= range.end; joint += lanes) a_vector_of_joints(arrays, constants, joint, end, all_lanes);
-  for (; joint < range.end; ++joint) a_vector_of_joints(arrays, constants, joint, end, one_lane);
+  for (; joint + lanes <= range.end; joint += lanes)
+    a_vector_of_joints<softens>(arrays, constants, joint, end, all_lanes);
+  for (; joint < range.end; ++joint) a_vector_of_joints<softens>(arrays, constants, joint, end, one_lane);
   return static_cast<std::size_t>(end - left);
+}
+
+std::size_t WholeJointForces(World& world, const Range& range, int* left) {
+  return world.joints.softened.empty() ? joints_in<false>(world, range, left) : joints_in<true>(world, range, left);
 }
 
 }  // namespace bitrock::dem2d::HWY_NAMESPACE

@@ -54,6 +54,9 @@ void add_joint(World& world, int disc1, int disc2, const JointProperties& proper
   joints.element_shear_stress.insert(joints.element_shear_stress.end(), static_cast<std::size_t>(joints.elements), 0.0);
   joints.state.insert(joints.state.end(), static_cast<std::size_t>(joints.elements),
                       bonded ? ElementState::bonded : ElementState::never_bonded);
+  if (joints.tension_softening == 0.0) return;
+  joints.softened.push_back(0);
+  joints.element_opening.insert(joints.element_opening.end(), static_cast<std::size_t>(joints.elements), 0.0);
 }
 
 }  // namespace bitrock::dem2d

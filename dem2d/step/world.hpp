@@ -51,14 +51,16 @@ void add_disc(Discs& discs, double x, double y, double radius, double density);
 /// Sets mass [kg/m] and moment of inertia [kg m], both above 0, and their inverses: a disc that was held moves again.
 void set_mass(Discs& discs, std::size_t disc, double mass, double inertia);
 
-/// One entry a joint; `element_shear_stress` and `state` hold `elements` entries a joint, one after the other.
+/// One entry a joint; `element_shear_stress`, `element_opening` and `state` hold `elements` entries a joint, one after
+/// the other.
 ///
-/// A joint is whole while all its elements are bonded. They have had the same motion then, so they share one shear
-/// stress, and the joint goes by its closed form (contact/flat_joint.hpp).
+/// A joint is whole while all its elements are bonded and none softens. They have had the same motion then, so they
+/// share one shear stress, and the joint goes by its closed form (contact/flat_joint.hpp).
 struct FlatJoints {
   int elements = 1;                ///< N_r of every joint [1]
   double residual_cohesion = 0.0;  ///< of elements broken in shear [Pa]
   bool drop_to_residual = false;   ///< shear stress at a shear break: false to zero, true to the residual strength
+  double tension_softening = 0.0;  ///< zeta (contact/tension_softening.hpp); set before any joint is added [1]
   std::vector<int> disc1, disc2;   ///< places of the two discs in `Discs`, which change when discs leave
   std::vector<double> half_length, normal_stiffness, shear_stiffness;            ///< [m], [Pa/m], [Pa/m]
   std::vector<double> tensile_strength, cohesion, tan_friction_angle, friction;  ///< [Pa], [Pa], [1], [1]
@@ -66,13 +68,18 @@ struct FlatJoints {
   std::vector<double> stress_free_rotation;  ///< angle of disc 2 minus angle of disc 1 at installation [rad]
   std::vector<double> radius_difference;     ///< of disc 1 minus disc 2 [m]
   std::vector<double> shear_displacement;    ///< of disc 2 against disc 1, kept up once a joint is damaged [m]
-  std::vector<int> bonded;                   ///< elements still bonded
+  std::vector<int> bonded;                   ///< elements still bonded, those that soften among them
   std::vector<double> shear_stress;          ///< of a whole joint [Pa]
   std::vector<double> element_shear_stress;  ///< of a damaged joint [Pa]
   std::vector<ElementState> state;           ///< of each element, in whole joints too
+  // empty where joints do not soften
+  std::vector<int> softened;            ///< bonded elements that soften
+  std::vector<double> element_opening;  ///< largest so far over that at the tensile strength; 0 below that [1]
   std::vector<double> friction_loss, switching_loss, breaking_loss;  ///< [J/m]; empty unless energy is measured
 
   int count() const { return static_cast<int>(disc1.size()); }  ///< joints now on the list
+  /// Whether all elements of joint j, 0-based, are bonded and none softens.
+  bool whole(std::size_t j) const { return bonded[j] == elements && (softened.empty() || softened[j] == 0); }
   /// Stiffness and strength of joint j, 0-based.
   FlatJointLaw law(std::size_t j) const {
     return {.elements = elements,
@@ -84,12 +91,13 @@ struct FlatJoints {
             .tan_friction_angle = tan_friction_angle[j],
             .friction = friction[j],
             .residual_cohesion = residual_cohesion,
-            .drop_to_residual = drop_to_residual};
+            .drop_to_residual = drop_to_residual,
+            .tension_softening = tension_softening};
   }
 };
 
-/// All arrays of numbers of the joints with one entry a joint, and all of integers; `element_shear_stress` and `state`,
-/// with `elements` entries a joint, besides.
+/// All arrays of numbers of the joints with one entry a joint, and all of integers; `element_shear_stress`,
+/// `element_opening` and `state`, with `elements` entries a joint, besides.
 template <class JointsType>
 auto number_arrays(JointsType& j) requires requires {
   j.touching_distance;
@@ -103,7 +111,7 @@ auto number_arrays(JointsType& j) requires requires {
 /// Those of integers, one entry a joint.
 template <class JointsType>
 auto integer_arrays(JointsType& j) {
-  return std::array{&j.disc1, &j.disc2, &j.bonded};
+  return std::array{&j.disc1, &j.disc2, &j.bonded, &j.softened};
 }
 
 /// What a joint is like when it is made [Potyondy2012].

@@ -105,11 +105,13 @@ TEST(Similarity, ARockOfDoubledGrainsIsPackedFromTheSameSeedDoubled) {
 
 void expect_doubled(const dem2d::CutCase& cut) {
   const dem2d::CutCase large_cut = doubled(cut);
-  const dem2d::World start = dem2d::make_cut_world(cut, small_bed());
+  dem2d::Specimen bed = small_bed(), large_one = large_bed();
+  bed.rock.tension_softening = large_one.rock.tension_softening = cut.rock.tension_softening;
+  const dem2d::World start = dem2d::make_cut_world(cut, bed);
   const dem2d::ConvexPolygon outline = start.boundaries[0].shape;
   const double tip_x = -cut.depth_of_cut * std::tan(cut.back_rake) - start_gap;
-  const Course small = drive(cut, small_bed(), outline, tip_x);
-  const Course large = drive(large_cut, large_bed(), {doubled(outline.x), doubled(outline.y)}, 2.0 * tip_x);
+  const Course small = drive(cut, bed, outline, tip_x);
+  const Course large = drive(large_cut, large_one, {doubled(outline.x), doubled(outline.y)}, 2.0 * tip_x);
 
   EXPECT_EQ(large.step, 2.0 * small.step);
   EXPECT_EQ(large.force_x, doubled(small.force_x));
@@ -132,6 +134,12 @@ TEST(Similarity, DoubledLengthsDoubleForcesAndTimesBitForBit) {
 TEST(Similarity, AlsoUnderMudOfTheSamePressure) {
   dem2d::CutCase cut = small_cut();
   cut.mud_pressure = 15e6;
+  expect_doubled(cut);
+}
+
+TEST(Similarity, AlsoInRockThatSoftens) {
+  dem2d::CutCase cut = small_cut();
+  cut.rock.tension_softening = 3.0;
   expect_doubled(cut);
 }
 

@@ -1,6 +1,7 @@
 // Mode-I toughness of cores with a saw cut through their middle.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,8 @@
 #include "dem2d/lab/lab_test.hpp"
 #include "dem2d/lab/load_frame.hpp"
 #include "dem2d/lab/notch.hpp"
+#include "dem2d/step/energy.hpp"
+#include "dem2d/step/neighbours.hpp"
 #include "dem2d/step/step.hpp"
 #include "tests/unit/lab_specimens.hpp"
 
@@ -31,7 +34,8 @@ TEST(Notch, StressIntensityOfTheCentreCrackedStrip) {
                isida[] = {1.0060, 1.0246, 1.0577, 1.1094, 1.1867, 1.3033, 1.4882, 1.8160};
   for (std::size_t k = 0; k < std::size(shares); ++k) {
     const double width = 0.05, length = shares[k] * width;
-    const double of_strip = dem2d::stress_intensity(3e6, length, width) / (3e6 * std::sqrt(std::numbers::pi * 0.5 * length));
+    const double of_strip =
+        dem2d::stress_intensity(3e6, length, width) / (3e6 * std::sqrt(std::numbers::pi * 0.5 * length));
     EXPECT_NEAR(of_strip, isida[k], 1.2e-3 * isida[k]) << shares[k];
   }
 }
@@ -104,6 +108,53 @@ TEST(Toughness, GrowsWithTheRootOfAllLengths) {
   EXPECT_GT(one.fracture_toughness, 0.0);
   EXPECT_TRUE(std::isnan(one.youngs_modulus));
   EXPECT_NEAR(one.fracture_height, 0.5, 0.2) << "it breaks where it is sawn";
+}
+
+TEST(Toughness, GrowsWithSofteningByLessThanTheRootOfItsEnergy) {
+  // The energy of a break grows 1 + zeta times, so K_Ic by its root at most: without softening a crack also spends what
+  // its neighbours shake out, and a core a few grains wide ends by its strength, which grows less.
+  dem2d::Specimen core = lab_specimens::coarse_core(1);
+  const dem2d::LabSettings settings = settings_of(core, 0.4 * core.width);
+  const dem2d::LabRun brittle = dem2d::run_lab_test(LabTest::toughness, core, settings);
+  double before = brittle.fracture_toughness;
+  for (const double softening : {1.0, 3.0, 9.0}) {
+    core.rock.tension_softening = softening;
+    const dem2d::LabRun soft = dem2d::run_lab_test(LabTest::toughness, core, settings);
+    EXPECT_GT(soft.fracture_toughness, before) << softening;
+    EXPECT_LT(soft.fracture_toughness, std::sqrt(1.0 + softening) * brittle.fracture_toughness) << softening;
+    EXPECT_NEAR(soft.fracture_height, 0.5, 0.2) << "it breaks where it is sawn";
+    before = soft.fracture_toughness;
+  }
+}
+
+/// What the elements of a core take up until it has parted, over the width that the saw left [J/m2].
+double energy_of_break(const dem2d::Specimen& core, double notch_length) {
+  dem2d::LoadFrame frame = dem2d::make_load_frame(LabTest::toughness, core, settings_of(core, notch_length));
+  frame.world.ledger.measured = true;
+  dem2d::prepare(frame.world);
+  double peak = 0.0;
+  for (int look = 0;; ++look) {
+    for (int step = 0; step < 50; ++step) dem2d::advance(frame);
+    const dem2d::EndForces ends = dem2d::end_forces(frame);
+    const double force = 0.5 * (ends.low + ends.high);
+    peak = std::max(peak, force);
+    if (look > 100 && force < 0.05 * peak) break;
+    if (dem2d::end_strain(frame) > 0.1) throw base::SimulationError("the core does not part");
+  }
+  return dem2d::read_energies(frame.world).breaking / (core.width - notch_length);
+}
+
+TEST(Toughness, TheEnergyOfTheBreakGrowsAsThatOfItsElements) {
+  // 1 + zeta times in each element torn off. Some are sheared off with part of it left, and beside the crack some
+  // soften and come back: the more the larger zeta is, until the whole section softens (1.6 with 9 in this core).
+  dem2d::Specimen core = lab_specimens::coarse_core(1);
+  const double brittle = energy_of_break(core, 0.4 * core.width);
+  for (const double softening : {1.0, 3.0}) {
+    core.rock.tension_softening = softening;
+    const double share = energy_of_break(core, 0.4 * core.width) / brittle / (1.0 + softening);
+    EXPECT_GT(share, 0.7) << softening;
+    EXPECT_LT(share, 1.2) << softening;
+  }
 }
 
 TEST(Toughness, TheCutMustFitTheCore) {

@@ -114,7 +114,13 @@ TEST(Window, TheRockInItIsTheBedItWasTakenFrom) {
   rock.rock.slit_fraction = 0.2;  // some joints are not bonded
   rock.rock.residual_cohesion = 1e6;
   rock.rock.drop_to_residual = true;
+  rock.rock.tension_softening = 2.0;
   dem2d::World world = dem2d::make_cut_world(cut, rock);
+  for (std::size_t k = 0; k < world.joints.disc1.size(); ++k) {  // damage that tells the joints apart
+    if (world.joints.bonded[k] == 0) continue;
+    world.joints.softened[k] = 1;
+    world.joints.element_opening[2 * k + 1] = 1.0 + 1e-4 * static_cast<double>(k);
+  }
   const dem2d::World whole = world;
   dem2d::Window window = dem2d::open_window(world, cut, 0.0);
   for (int mm = 0; mm <= 15; ++mm) {
@@ -127,7 +133,7 @@ TEST(Window, TheRockInItIsTheBedItWasTakenFrom) {
     const dem2d::Frame frame = dem2d::take_frame(world, &window, 0.0);
     EXPECT_EQ(std::set<int>(frame.id.begin(), frame.id.end()).size(), bed().x.size()) << "what left is remembered";
     EXPECT_EQ(frame.id.size(), bed().x.size());
-    using Joint = std::tuple<int, int, double, double, double, double, int, dem2d::ElementState>;
+    using Joint = std::tuple<int, int, double, double, double, double, int, dem2d::ElementState, int, double>;
     const auto joints_of = [&here](const dem2d::World& w) {
       std::set<Joint> all;
       for (std::size_t k = 0; k < w.joints.disc1.size(); ++k) {
@@ -135,7 +141,8 @@ TEST(Window, TheRockInItIsTheBedItWasTakenFrom) {
         const int id2 = w.discs.id[static_cast<std::size_t>(w.joints.disc2[k])];
         if (!here.contains(id1) || !here.contains(id2)) continue;
         all.insert({id1, id2, w.joints.touching_distance[k], w.joints.radius_difference[k],
-                    w.joints.tensile_strength[k], w.joints.cohesion[k], w.joints.bonded[k], w.joints.state[2 * k + 1]});
+                    w.joints.tensile_strength[k], w.joints.cohesion[k], w.joints.bonded[k], w.joints.state[2 * k + 1],
+                    w.joints.softened[k], w.joints.element_opening[2 * k + 1]});
       }
       return all;
     };
@@ -144,6 +151,7 @@ TEST(Window, TheRockInItIsTheBedItWasTakenFrom) {
   }
   EXPECT_EQ(world.joints.residual_cohesion, 1e6);
   EXPECT_TRUE(world.joints.drop_to_residual);
+  EXPECT_EQ(world.joints.tension_softening, 2.0);
   world.boundaries[0].velocity_x = 0.0;
   for (int step = 0; step < 20; ++step) dem2d::advance(world);
   for (const double speed : world.discs.velocity_x) EXPECT_EQ(speed, 0.0) << "free of stress";

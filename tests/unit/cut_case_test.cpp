@@ -107,6 +107,16 @@ TEST(CutCase, TheMovingRockReachesFarEnoughAndMovesOnOftenEnough) {
   EXPECT_TRUE(refused(wrong, "run.sampling_distance_um"));
 }
 
+TEST(CutCase, TensionSofteningIsAKeyThatOtherRocksDoNotShow) {
+  dem2d::CutCase cut = small_cut();
+  EXPECT_EQ(dem2d::resolved_toml(cut).find("tension_softening"), std::string::npos) << "the hashes of older cuts hold";
+  EXPECT_EQ(dem2d::exact_toml(cut).find("tension_softening"), std::string::npos);
+  const std::string without = dem2d::resolved_toml(cut);
+  cut.rock.tension_softening = 2.5;
+  EXPECT_NE(dem2d::resolved_toml(cut), without);
+  EXPECT_EQ(dem2d::parse_resolved(dem2d::exact_toml(cut), "again").rock.tension_softening, 2.5);
+}
+
 TEST(CutCase, TheEdgeOfTheCutterHasKeysThatASharpOneDoesNotShow) {
   dem2d::CutCase cut = small_cut();
   for (const char* key : {"clearance_deg", "chamfer_mm", "wear_flat_mm"})

@@ -96,6 +96,10 @@ TEST(RockFile, RefusesWhatARockCannotBe) {
   EXPECT_NE(rock_message("radius_max_mm = 0.75", "radius_max_mm = 0.4").find("must be at least discs.radius_min_mm"),
             std::string::npos);
   EXPECT_NE(rock_message("elements = 2", "elements = 65").find("at most 64"), std::string::npos);
+  for (const char* wrong : {"-1", "0.001", "101", "nan", "inf"}) {
+    const std::string line = std::string("elements = 2\ntension_softening = ") + wrong;
+    EXPECT_NE(rock_message("elements = 2", line).find("tension_softening"), std::string::npos) << wrong;
+  }
   EXPECT_NE(rock_message("installation_gap_mm = 0.05", "installation_gap_mm = 5").find("installation_gap_mm"),
             std::string::npos);
   EXPECT_NE(rock_message("cohesion_MPa = 50", "cohesion_MPa = \"strong\"").find("must be a number"), std::string::npos);

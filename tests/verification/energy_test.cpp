@@ -317,8 +317,9 @@ TEST(Energy, TheResidualIsWhatIsGivenAndNotFound) {
   EXPECT_EQ(dem2d::energy_residual_fraction({}, {}), 0.0);
 }
 
-TEST(Energy, ACutOfTwentyMillimetresClosesItsLedgerToATenthOfAPercent) {
+void expect_a_closed_ledger_of_a_cut(double softening) {
   dem2d::CutCase cut = dem2d::read_cut_case(std::string(BITROCK_SOURCE_DIR) + "/campaigns/cuts/example.toml");
+  cut.rock.tension_softening = softening;
   cut.cutter_speed = 2.0;
   cut.cut_length = 20e-3;
   cut.bed_length = 36e-3;
@@ -340,6 +341,14 @@ TEST(Energy, ACutOfTwentyMillimetresClosesItsLedgerToATenthOfAPercent) {
   EXPECT_EQ(threads.energies.back().local_damping, e.local_damping);
   EXPECT_EQ(threads.energies.back().breaking, e.breaking);
   EXPECT_EQ(threads.energy_residual_fraction, measured.energy_residual_fraction);
+}
+
+TEST(Energy, ACutOfTwentyMillimetresClosesItsLedgerToATenthOfAPercent) {
+  expect_a_closed_ledger_of_a_cut(0.0);
+}
+
+TEST(Energy, SoDoesOneInRockThatSoftens) {
+  expect_a_closed_ledger_of_a_cut(3.0);
 }
 
 }  // namespace

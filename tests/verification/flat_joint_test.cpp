@@ -222,8 +222,10 @@ TEST(FlatJoint, ForceAndMomentAreTheSlopesOfTheStoredEnergy) {
       double sum = 0.0;
       for (int e = 0; e < joint.law.elements; ++e) {
         const double start = -half_length + length * e;
-        sum += stored_energy(joint.law, length, {at_gap - at_rotation * start, at_gap - at_rotation * (start + length)},
-                             joint.state[static_cast<std::size_t>(e)], 0.0);
+        sum += stored_energy(joint.law, length,
+                             {{at_gap - at_rotation * start, at_gap - at_rotation * (start + length)},
+                              joint.state[static_cast<std::size_t>(e)],
+                              0.0});
       }
       return sum;
     };
@@ -240,7 +242,7 @@ TEST(FlatJoint, ShearIsTheSlopeOfTheStoredEnergy) {
   joint.move(0.0, 0.0, 1e-6);
   const double length = 0.5 * half_length, h = 1e-9;
   const auto energy = [&](double slip) {
-    return 4.0 * stored_energy(joint.law, length, {0.0, 0.0}, ElementState::bonded, shear_stiffness * slip);
+    return 4.0 * stored_energy(joint.law, length, {{0.0, 0.0}, ElementState::bonded, shear_stiffness * slip});
   };
   const double slope = (energy(1e-6 + h) - energy(1e-6 - h)) / (2.0 * h);
   EXPECT_NEAR(slope, joint.move(0.0, 0.0).shear, 1e-9 * slope);  // exact for a square, but for rounding

@@ -20,9 +20,10 @@ constexpr double radius = small_worlds::radius;
 
 /// Pairs of touching discs far apart from each other, joined with a tensile strength of 10 MPa, 25 MPa cohesion and a
 /// friction angle: disc 2k and 2k + 1.
-dem2d::World pairs_of_discs(int count, int elements) {
+dem2d::World pairs_of_discs(int count, int elements, double softening = 0.0) {
   dem2d::World world = small_worlds::empty();
   world.joints.elements = elements;
+  world.joints.tension_softening = softening;
   dem2d::JointProperties properties = small_worlds::properties(10e6);
   properties.cohesion = 25e6;
   properties.friction_angle = 0.4;
@@ -51,10 +52,17 @@ void throw_discs(dem2d::World& world, base::Random& random) {
   }
 }
 
+/// Numbers of elements, without and with tension softening.
+struct JointKind {
+  int elements;
+  double softening;
+};
+constexpr JointKind kinds_of_joints[] = {{1, 0.0}, {2, 0.0}, {3, 0.0}, {6, 0.0}, {1, 2.0}, {2, 2.0}, {6, 2.0}};
+
 TEST(WholeJoints, ClosedFormEqualsTheReferenceForRandomHistories) {
   int whole = 0, damaged = 0;
-  for (const int elements : {1, 2, 3, 6}) {
-    dem2d::World fast = pairs_of_discs(803, elements), slow = fast;  // not a multiple of any number of lanes
+  for (const auto [elements, softening] : kinds_of_joints) {
+    dem2d::World fast = pairs_of_discs(803, elements, softening), slow = fast;  // not a multiple of any number of lanes
     slow.reference_path = true;
     base::Random random(5), same(5);
     for (int step = 0; step < 6; ++step) {
@@ -63,6 +71,7 @@ TEST(WholeJoints, ClosedFormEqualsTheReferenceForRandomHistories) {
       small_worlds::joint_forces(fast);
       small_worlds::joint_forces(slow);
       ASSERT_EQ(fast.joints.bonded, slow.joints.bonded) << "both must agree on what breaks";
+      ASSERT_EQ(fast.joints.softened, slow.joints.softened);
       const double force = small_worlds::modulus * 1e-5;  // size of the forces at hand [N/m]
       for (std::size_t j = 0; j < fast.joints.disc1.size(); ++j) {
         const dem2d::PairForce &a = fast.room.joint_forces[j], &b = slow.room.joint_forces[j];
@@ -72,7 +81,7 @@ TEST(WholeJoints, ClosedFormEqualsTheReferenceForRandomHistories) {
         ASSERT_NEAR(a.moment2, b.moment2, 1e-12 * force * radius);
         const double energy = force * 1e-5;
         ASSERT_NEAR(dem2d::joint_energy(fast, j), dem2d::joint_energy(slow, j), 1e-12 * energy);
-        (fast.joints.bonded[j] == elements ? whole : damaged) += 1;
+        (fast.joints.whole(j) ? whole : damaged) += 1;
       }
     }
   }
@@ -139,6 +148,7 @@ std::vector<double> history(const dem2d::World& world, std::size_t joint) {
     const auto element = joint * static_cast<std::size_t>(j.elements) + static_cast<std::size_t>(e);
     values.push_back(j.element_shear_stress[element]);
     values.push_back(static_cast<double>(j.state[element]));
+    if (!j.element_opening.empty()) values.push_back(j.element_opening[element]);
   }
   return values;
 }
@@ -157,9 +167,9 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 TEST(DamagedJoints, HaveTheBitsOfTheReferenceForRandomHistories) {
   for (const std::int64_t target : vector_units()) {
     hwy::SetSupportedTargetsForTest(target);
-    int seen = 0, partly = 0, pressed = 0, broken_now = 0;
-    for (const int elements : {1, 2, 3, 6}) {
-      dem2d::World world = pairs_of_discs(803, elements);
+    int seen = 0, partly = 0, pressed = 0, broken_now = 0, softened = 0;
+    for (const auto [elements, softening] : kinds_of_joints) {
+      dem2d::World world = pairs_of_discs(803, elements, softening);
       world.ledger.measured = true;
       world.joints.residual_cohesion = 2e6;
       world.joints.drop_to_residual = elements == 3;
@@ -171,16 +181,18 @@ TEST(DamagedJoints, HaveTheBitsOfTheReferenceForRandomHistories) {
         throw_discs(world, random);
         dem2d::World reference = world;
         reference.reference_path = true;
-        const std::vector<int> bonded = world.joints.bonded;
+        const dem2d::FlatJoints before = world.joints;
+        const std::vector<int>& bonded = before.bonded;
         small_worlds::joint_forces(world);
         small_worlds::joint_forces(reference);
         for (std::size_t j = 0; j < bonded.size(); ++j) {
-          if (bonded[j] == elements) continue;  // the closed form is equal to rounding only
+          if (before.whole(j)) continue;  // the closed form is equal to rounding only
           ASSERT_TRUE(same_bits(history(world, j), history(reference, j))) << "joint " << j << ", step " << step;
           ++seen;
           partly += world.joints.bonded[j] > 0 ? 1 : 0;
           pressed += world.room.joint_forces[j].x != 0.0 && world.joints.bonded[j] == 0 ? 1 : 0;
           broken_now += world.joints.bonded[j] < bonded[j] ? 1 : 0;
+          softened += softening > 0.0 && before.softened[j] > 0 ? 1 : 0;
         }
       }
     }
@@ -188,6 +200,7 @@ TEST(DamagedJoints, HaveTheBitsOfTheReferenceForRandomHistories) {
     EXPECT_GT(partly, 500);
     EXPECT_GT(pressed, 2000);
     EXPECT_GT(broken_now, 200);
+    EXPECT_GT(softened, 500);
   }
   hwy::SetSupportedTargetsForTest(0);
 }
@@ -231,8 +244,9 @@ dem2d::CutCase fast_cut() {
   return cut;
 }
 
-TEST(VectorUnits, AllGiveTheSameBitsOfAWholeCut) {
-  const dem2d::CutCase cut = fast_cut();
+void expect_the_same_bits_of_a_cut(double softening) {
+  dem2d::CutCase cut = fast_cut();
+  cut.rock.tension_softening = softening;
   const dem2d::Specimen bed = dem2d::make_specimen(cut.rock, cut.bed_length, cut.bed_height, 3, 1);
   std::vector<dem2d::CutRun> runs;
   for (const std::int64_t target : vector_units()) {
@@ -250,6 +264,14 @@ TEST(VectorUnits, AllGiveTheSameBitsOfAWholeCut) {
     EXPECT_EQ(run.frames.back().x, runs[0].frames.back().x);
     EXPECT_EQ(run.cracks.size(), runs[0].cracks.size());
   }
+}
+
+TEST(VectorUnits, AllGiveTheSameBitsOfAWholeCut) {
+  expect_the_same_bits_of_a_cut(0.0);
+}
+
+TEST(VectorUnits, AllGiveTheSameBitsOfACutInRockThatSoftens) {
+  expect_the_same_bits_of_a_cut(3.0);
 }
 
 }  // namespace
