@@ -9,7 +9,7 @@
 #include "runtime/well/well_file.hpp"
 #include "studies/well/fatigue.hpp"
 #include "studies/well/fatigue_of_run.hpp"
-#include "tests/unit/scratch_folder.hpp"
+#include "tests/scratch.hpp"
 
 using namespace bitrock;
 
