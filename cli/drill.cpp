@@ -100,6 +100,7 @@ void add_drill(CLI::App& app) {
   modes->add_option("case", shown->drill.file, "The drilling case, e.g. campaigns/drill/normal.toml.")->required();
   add_common(*modes, shown->common);
   modes->callback([shown] { show_modes(*shown); });
+  add_drill_broomstick(*drill);
   add_drill_compare(*drill);
   add_drill_map(*drill);
   add_drill_fatigue(*drill);

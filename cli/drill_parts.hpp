@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "runtime/drillstring/drill_run.hpp"
+#include "runtime/well/well_case.hpp"
 
 namespace bitrock::cli {
 
@@ -35,7 +36,11 @@ std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& m
 /// `drill run` of a case with a well. `seed` below 0: that of the case.
 void run_in_well(const CommonOptions& common, const CaseFlags& flags, int seed, const std::string& output);
 
-/// `drill compare`, `drill map`, `drill statics` and `drill survey`.
+/// The case with the stations of its survey file; warns of what deserves a look in that.
+runtime::WellCase read_well(const CommonOptions& common, const std::string& file);
+
+/// `drill broomstick`, `drill compare`, `drill fatigue`, `drill map`, `drill statics` and `drill survey`.
+void add_drill_broomstick(CLI::App& drill);
 void add_drill_compare(CLI::App& drill);
 void add_drill_fatigue(CLI::App& drill);
 void add_drill_map(CLI::App& drill);

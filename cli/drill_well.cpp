@@ -21,16 +21,6 @@ struct Options {
   std::string file;
 };
 
-/// The case, with the stations of its survey file.
-runtime::WellCase read_well(const CommonOptions& common, const std::string& file) {
-  runtime::WellCase well = runtime::read_well_case(file);
-  if (well.survey_file.empty()) return well;
-  const studies::Survey survey = studies::read_survey(well.survey_file);
-  for (const std::string& warning : survey.warnings) warn(common, warning);
-  well.stations = survey.stations;
-  return well;
-}
-
 void show_statics(const Options& options) {
   const runtime::WellCase well = read_well(options.common, options.file);
   require_outputs(options.common, {options.file, well.survey_file, well.drill.bit_file}, {});
@@ -48,6 +38,15 @@ void show_statics(const Options& options) {
 }
 
 }  // namespace
+
+runtime::WellCase read_well(const CommonOptions& common, const std::string& file) {
+  runtime::WellCase well = runtime::read_well_case(file);
+  if (well.survey_file.empty()) return well;
+  const studies::Survey survey = studies::read_survey(well.survey_file);
+  for (const std::string& warning : survey.warnings) warn(common, warning);
+  well.stations = survey.stations;
+  return well;
+}
 
 void run_in_well(const CommonOptions& common, const CaseFlags& flags, int seed, const std::string& output) {
   runtime::WellCase well = read_well(common, flags.file);

@@ -236,6 +236,14 @@ Json layout(const Plot& plot) {
                  {"xaxis", axis(plot.x_label, plot.log_x, plot.x_range)},
                  {"yaxis", axis(plot.y_label, plot.log_y, plot.y_range)},
                  {"shapes", shapes(plot)}};
+  if (plot.y_downwards) {
+    Json& y = layout["yaxis"];
+    if (y.contains("range")) {
+      std::swap(y["range"][0], y["range"][1]);
+    } else {
+      y["autorange"] = "reversed";
+    }
+  }
   if (plot.equal_axes) {
     layout["xaxis"]["constrain"] = "domain";
     layout["yaxis"]["constrain"] = "domain";

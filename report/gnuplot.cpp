@@ -63,6 +63,7 @@ std::string panel_script(const Plot& plot, const std::string& panel, bool with_l
   std::string text;
   text += axis('x', plot.x_label, plot.log_x, range_of(plot, plot.x_range)) +
           axis('y', plot.y_label, plot.log_y, range_of(plot, plot.y_range));
+  if (plot.y_downwards) text += "set yrange reverse\n";
   text += air(plot);
   text += plot.square ? "set size square\n" : "set size nosquare\n";
   text += fmt::format("set boxwidth {} absolute\nunset object\nunset label\n", 0.94 * box_width(plot));
@@ -76,7 +77,7 @@ std::string panel_script(const Plot& plot, const std::string& panel, bool with_l
         "set object rectangle from graph 0, first {} to graph 1, first {} behind fc rgb '{}' fs solid 0.15 noborder\n",
         plot.bands[i].low, plot.bands[i].high, colour_code(plot.bands[i].colour, i));
   }
-  return text + plot_command(plot, panel, with_legend);
+  return text + plot_command(plot, panel, with_legend) + (plot.y_downwards ? "set yrange noreverse\n" : "");
 }
 
 /// Whether one legend can serve all panels, and there is one to draw.

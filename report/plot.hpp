@@ -61,6 +61,7 @@ struct Plot {
   bool equal_axes = false;   ///< one unit has one length on both axes
   bool log_x = false;
   bool log_y = false;
+  bool y_downwards = false;               ///< as depths are drawn
   std::optional<AxisRange> x_range = {};  ///< otherwise as the data need
   std::optional<AxisRange> y_range = {};  ///< otherwise as the data need
   bool square = false;                    ///< as high as wide, whatever `height_px` says

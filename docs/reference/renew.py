@@ -35,6 +35,7 @@ INPUTS = {
                 "cut_length_mm = 4\n\n[bed]\nlength_mm = 20\nheight_mm = 10\n\n[fluid]\npressure_MPa = 5\n",
     "study.toml": 'rock = "rock.toml"\nseeds = [1]\n\n[grid]\ncutter_speeds_m_per_s = [2]\ndepths_of_cut_mm = [2, 3]\n'
                   "back_rakes_deg = [15]\n\n[cut]\ncut_length_mm = 4\n\n[bed]\nlength_mm = 20\nheight_mm = 10\n",
+    "loads.csv": "bit_depth_m,run_in_hook_load_kN\n1230,530\n",
 }
 NAMED_BY_DATA = ("outputs", "search.kinds[].outputs")  # objects whose keys are the names of the networks' outputs
 
@@ -76,6 +77,8 @@ RUNS = [
     ("drill compare", f"drill compare short.toml --model {MODEL} --seeds 1,2 -o compare"),
     ("drill compare --check", f"drill compare short.toml --model {MODEL} --check"),
     ("drill survey", f"drill survey {SHIPPED}/drill/survey_example.csv --bit-depth-m 1700"),
+    ("drill broomstick", f"drill broomstick {SHIPPED}/drill/deviated.toml --depths-m 1230 --frictions 0.25 --measured loads.csv"),
+    ("drill broomstick --check", f"drill broomstick {SHIPPED}/drill/deviated.toml --check"),
     ("drill map", f"drill map short.toml --model {MODEL} --hook-load-kN 25:30:2 --rotation-rpm 60:90:2 -o map.csv"),
     ("report", "report study -o report.html"),
     ("snapshot", "snapshot run.h5 -o cut.png"),
@@ -91,7 +94,7 @@ RUNS = [
 TABLES = [("Campaign: features.csv", "study/features.csv"), ("Campaign: features_mean.csv", "study/features_mean.csv"),
           ("Curve of a laboratory test", "lab/ucs_seed_1.csv"), ("Journal of a calibration", "calibrated.toml.journal.csv"),
           ("Force on a bit: signal", "signal.csv"), ("drill compare: summary.csv", "compare/summary.csv"),
-          ("drill map", "map.csv")]
+          ("drill broomstick", "broomstick.csv"), ("drill map", "map.csv")]
 FILES = [("specimen.h5", "specimen.h5"), ("forces.h5", "study/forces.h5"), ("run.h5 (with --frames 2)", "run.h5"), ("drill.h5", "drill.h5"),
          ("well.h5", "well.h5")]
 

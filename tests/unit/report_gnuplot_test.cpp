@@ -203,6 +203,17 @@ TEST(GnuplotFigure, LogarithmicAxesAreLabelledInDecades) {
   EXPECT_TRUE(holds(gnuplot_files(figure, PictureFormat::png).script, "set xtics autofreq"));
 }
 
+TEST(GnuplotFigure, OnlyThePanelThatAsksForItGoesDownwards) {
+  Figure figure = example();
+  const auto has = [&](const char* words) {
+    return gnuplot_files(figure, PictureFormat::png).script.find(words) != std::string::npos;
+  };
+  EXPECT_FALSE(has("reverse\n"));
+  figure.plots.front().y_downwards = true;
+  EXPECT_TRUE(has("set yrange reverse\n"));
+  EXPECT_TRUE(has("set yrange noreverse\n"));
+}
+
 TEST(GnuplotFigure, ADenseSignalHasAThinPen) {
   const std::vector<double> many(2000, 1.0);
   const Figure figure{

@@ -68,6 +68,14 @@ TEST(FigureJson, LogarithmicRangesAreInPowersOfTen) {
   EXPECT_EQ(axis["range"], nlohmann::json::parse("[-2.0, 3.0]"));
 }
 
+TEST(FigureJson, DepthsGoDownwards) {
+  Plot plot = force();
+  plot.y_downwards = true;
+  EXPECT_EQ(figure(plot)["layout"]["yaxis"]["autorange"], "reversed");
+  plot.y_range = report::AxisRange{1.0, 3.0};
+  EXPECT_EQ(figure(plot)["layout"]["yaxis"]["range"], nlohmann::json::parse("[3.0, 1.0]"));
+}
+
 TEST(FigureJson, SevenDigits) {
   Plot plot = force();
   plot.series[0].y = {1.0 / 3.0, 123456789.0, -1e-30};
