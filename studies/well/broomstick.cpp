@@ -150,6 +150,7 @@ std::vector<double> usual_depths(const WellCase& well) {
   }
   if (from >= to) return {to};
   std::vector<double> depths;
+  depths.reserve(usual_count);
   for (int i = 0; i < usual_count; ++i) depths.push_back(from + (to - from) * i / (usual_count - 1));
   return depths;
 }
