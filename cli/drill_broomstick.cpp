@@ -18,7 +18,7 @@ namespace bitrock::cli {
 namespace {
 
 constexpr double greatest_depth = 2e4;   // [m] as in the cases; the deepest wells have 15 km
-constexpr std::size_t most_runs = 3000;  // some minutes of two cores for 1500 m, hours for 8000 m
+constexpr std::size_t most_runs = 3000;  // ten minutes of a core for 1500 m, hours for 8000 m
 
 struct Options {
   CommonOptions common;

@@ -117,7 +117,10 @@ TEST_F(Broomsticks, FrictionOfTheSectionsAboveKeepsItsShare) {
   doubled.replace(doubled.find("friction = 0.1"), 14, "friction = 0.2");
   doubled.replace(doubled.rfind("friction = 0.2"), 14, "friction = 0.4");
   EXPECT_NEAR(drag(text, 0.4), drag(doubled, 0.4), 1e-6);
-  EXPECT_NEAR(drag(text, 0.4) / both, 2.0, 0.1);
+  // a rope around the bend: sinh(0.4 a) / sinh(0.2 a), 2.05 for 60 degrees; more where the pull presses pipe to the
+  // wall
+  EXPECT_GT(drag(text, 0.4), 2.0 * both);
+  EXPECT_LT(drag(text, 0.4), 2.2 * both);
 }
 
 TEST_F(Broomsticks, WhatIsNotPossibleIsRefused) {

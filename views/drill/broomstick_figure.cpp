@@ -13,7 +13,6 @@ namespace {
 using base::kN;
 using studies::BroomstickRow, studies::MeasuredLoad, studies::Operation;
 
-constexpr Operation operations[] = {Operation::rotate, Operation::run_in, Operation::pull_out};
 constexpr report::Colour colours[] = {report::Colour::blue,   report::Colour::vermillion, report::Colour::green,
                                       report::Colour::purple, report::Colour::sky,        report::Colour::orange};
 
@@ -73,18 +72,20 @@ report::Figure broomstick_figure(const studies::Broomstick& broomstick, const st
                       .caption = "rotating",
                       .y_downwards = true,
                       .height_px = 560.0};
-  for (std::size_t k = 0; k < broomstick.frictions.size(); ++k) {
-    const double friction = broomstick.frictions[k];
-    for (const Operation operation : operations)
-      hook.series.push_back(curve(rows, k, friction, operation, &BroomstickRow::hook_load));
-    torque.series.push_back(curve(rows, k, friction, Operation::rotate, &BroomstickRow::torque));
-  }
-  // in both panels, also where one of them has no points: then one legend serves both
-  for (const Operation operation : operations) {
+  const auto draw = [&](report::Plot& plot, Operation operation, double BroomstickRow::*value) {
+    for (std::size_t k = 0; k < broomstick.frictions.size(); ++k)
+      plot.series.push_back(curve(rows, k, broomstick.frictions[k], operation, value));
+  };
+  // what has a name comes first, and in both panels, also where one of them has no points: one legend serves both
+  draw(hook, Operation::rotate, &BroomstickRow::hook_load);
+  draw(torque, Operation::rotate, &BroomstickRow::torque);
+  for (const Operation operation : {Operation::rotate, Operation::run_in, Operation::pull_out}) {
     if (!was_measured(measured, operation)) continue;
     hook.series.push_back(points(measured, operation, &MeasuredLoad::hook_load));
     torque.series.push_back(points(measured, operation, &MeasuredLoad::torque));
   }
+  draw(hook, Operation::run_in, &BroomstickRow::hook_load);
+  draw(hook, Operation::pull_out, &BroomstickRow::hook_load);
   return {.name = "broomstick",
           .caption = "Hook load and torque of " + broomstick.well.drill.name + " over the depth of its bit",
           .plots = {hook, torque},
