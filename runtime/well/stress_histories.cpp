@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
@@ -12,8 +13,6 @@
 namespace bitrock::runtime {
 
 namespace {
-
-constexpr long long most_points = 100000;
 
 std::vector<double> finite_array(const base::Hdf5Reader& file, const std::string& path, std::size_t count) {
   std::vector<double> values = file.doubles(path);
@@ -35,14 +34,13 @@ StressHistories read_stress_histories(const std::filesystem::path& path) {
   if (histories.time.size() < 2 || stuck != histories.time.end())
     throw base::InputError(fmt::format("{}: /series/time_s (must have at least 2 values, rising)", file.name()));
   histories.settling = file.number_attribute("settling_s");
-  const auto count = static_cast<std::size_t>(file.integer_attribute("stress_points", 0, most_points));
-  if (count == 0) return histories;
-  const std::vector<double> depths = finite_array(file, "/stress/measured_depth_m", count);
-  for (std::size_t p = 0; p < count; ++p) {
-    histories.points.push_back(
-        {.name = file.text_attribute(fmt::format("stress_point_{}", p + 1)),
-         .measured_depth = depths[p],
-         .stress = finite_array(file, fmt::format("/stress/point_{}_Pa", p + 1), histories.time.size())});
+  std::istringstream names(file.text_attribute("stress_points"));
+  for (std::string name; std::getline(names, name);) histories.points.push_back({.name = name});
+  if (histories.points.empty()) return histories;
+  const std::vector<double> depths = finite_array(file, "/stress/measured_depth_m", histories.points.size());
+  for (std::size_t p = 0; p < histories.points.size(); ++p) {
+    histories.points[p].measured_depth = depths[p];
+    histories.points[p].stress = finite_array(file, fmt::format("/stress/point_{}_Pa", p + 1), histories.time.size());
   }
   return histories;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/hdf5_file.hpp"
@@ -45,14 +46,17 @@ void write_well_run(const WellRun& run, const std::string& config_toml, const st
   for (const SeriesEntry& entry : series_entries)
     file.array(entry.path, run.series.*entry.values, entry.units, entry.meaning);
   file.attribute("settling_s", settling);
-  file.attribute("stress_points", static_cast<long long>(run.stresses.size()));
+  std::string names;  // a line each
   std::vector<double> depths;
   for (std::size_t p = 0; p < run.stresses.size(); ++p) {
     file.array(fmt::format("/stress/point_{}_Pa", p + 1), run.series.stress_Pa[p], "Pa",
                "tension and bending of a point that turns with the pipe: " + run.stresses[p].point.name);
-    file.attribute(fmt::format("stress_point_{}", p + 1), run.stresses[p].point.name);
+    std::string name = run.stresses[p].point.name;
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    names += name + "\n";
     depths.push_back(run.stresses[p].stress.measured_depth);
   }
+  file.attribute("stress_points", names);
   if (!depths.empty()) file.array("/stress/measured_depth_m", depths, "m", "where the points were at the end");
   file.attribute("status", "complete");
   file.save(path);

@@ -34,9 +34,9 @@ std::string square_of_discs() {
 }
 
 std::string journal() {
-  return "inputs,test,seed,effective_modulus_Pa,stiffness_ratio,tensile_strength_Pa,cohesion_Pa,friction,peak_stress_"
-         "Pa,"
-         "youngs_modulus_Pa,poissons_ratio,wall_s\n4503599627370495,0,1,1.4e9,3.5,12e6,60e6,0.577,7e7,1.5e9,0.23,2\n";
+  return "inputs,test,confining_pressure_Pa,seed,effective_modulus_Pa,stiffness_ratio,tensile_strength_Pa,cohesion_Pa,"
+         "friction,friction_angle_rad,peak_stress_Pa,youngs_modulus_Pa,poissons_ratio,wall_s\n"
+         "4503599627370495,0,0,1,1.4e9,3.5,12e6,60e6,0.577,0.2,7e7,1.5e9,0.23,2\n";
 }
 
 studies::FeatureRow a_row(int seed) {
