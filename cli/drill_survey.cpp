@@ -20,7 +20,7 @@ struct Options {
 void show(const Options& options) {
   studies::SurveyWish wish = options.wish;
   if (!options.tie_in.empty()) wish.tie_in = {options.tie_in[0], options.tie_in[1], options.tie_in[2]};
-  const studies::Survey survey = studies::read_survey(options.file, wish);
+  const studies::WellSurvey survey = studies::read_survey(options.file, wish);
   require_outputs(options.common, {options.file}, {});
   say(options.common, "{}", views::survey_table(options.file, survey));
   warn(options.common, survey.warnings);

@@ -42,7 +42,7 @@ void show_statics(const Options& options) {
 runtime::WellCase read_well(const CommonOptions& common, const std::string& file) {
   runtime::WellCase well = runtime::read_well_case(file);
   if (well.survey_file.empty()) return well;
-  const studies::Survey survey = studies::read_survey(well.survey_file);
+  const studies::WellSurvey survey = studies::read_survey(well.survey_file);
   for (const std::string& warning : survey.warnings) warn(common, warning);
   well.stations = survey.stations;
   return well;

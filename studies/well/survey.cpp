@@ -32,7 +32,7 @@ SurveyRows rows_of(const std::filesystem::path& file, const SaidUnits& said) {
 }
 
 /// The hole above the first station.
-void begin(Survey& survey, const SurveyRows& rows, const SurveyWish& wish) {
+void begin(WellSurvey& survey, const SurveyRows& rows, const SurveyWish& wish) {
   const runtime::SurveyStation& first = rows.stations.front();
   if (!(first.measured_depth > 0.0)) return;
   const double inclination = first.inclination / deg;
@@ -54,7 +54,7 @@ void begin(Survey& survey, const SurveyRows& rows, const SurveyWish& wish) {
 }
 
 /// The hole below the last station.
-void end(Survey& survey, const std::string& source, double bit_depth) {
+void end(WellSurvey& survey, const std::string& source, double bit_depth) {
   runtime::SurveyStation bottom = survey.stations.back();
   if (!(bit_depth > bottom.measured_depth)) return;
   survey.warnings.push_back(fmt::format("{}: ends at MD {:.6g} m: the hole goes on straight to {:.6g} m", source,
@@ -66,19 +66,19 @@ void end(Survey& survey, const std::string& source, double bit_depth) {
 
 }  // namespace
 
-Survey read_survey(const std::filesystem::path& file, const SurveyWish& wish) {
+WellSurvey read_survey(const std::filesystem::path& file, const SurveyWish& wish) {
   return survey_of(rows_of(file, wish.units), wish);
 }
 
-Survey survey_of(const SurveyRows& rows, const SurveyWish& wish) {
+WellSurvey survey_of(const SurveyRows& rows, const SurveyWish& wish) {
   require_good(rows);
-  Survey survey{.format = rows.format,
-                .md_unit = rows.length,
-                .inclination_unit = rows.inclination,
-                .azimuth_unit = rows.azimuth,
-                .stations = {},
-                .path = {},
-                .warnings = {}};
+  WellSurvey survey{.format = rows.format,
+                    .md_unit = rows.length,
+                    .inclination_unit = rows.inclination,
+                    .azimuth_unit = rows.azimuth,
+                    .stations = {},
+                    .path = {},
+                    .warnings = {}};
   begin(survey, rows, wish);
   survey.stations.insert(survey.stations.end(), rows.stations.begin(), rows.stations.end());
   if (survey.stations.size() < 2)
@@ -89,7 +89,7 @@ Survey survey_of(const SurveyRows& rows, const SurveyWish& wish) {
   return survey;
 }
 
-std::vector<SurveyPoint> survey_points(const Survey& survey) {
+std::vector<SurveyPoint> survey_points(const WellSurvey& survey) {
   const std::vector<runtime::WellArc>& arcs = survey.path.arcs;
   std::vector<SurveyPoint> points;
   for (std::size_t i = 0; i < survey.stations.size(); ++i) {

@@ -20,7 +20,7 @@ struct SurveyWish {
 };
 
 /// Stations from the top down, and the path between them.
-struct Survey {
+struct WellSurvey {
   std::string format;                            ///< of the file, in words
   SurveyUnit md_unit;                            ///< of the file
   SurveyUnit inclination_unit, azimuth_unit;     ///< of the file
@@ -38,12 +38,12 @@ struct SurveyPoint {
 
 /// Reads a table (CSV, TSV, blanks between the columns, a well trace of Petrel) or a WITSML trajectory. Throws
 /// `InputError` with file and line for what is no survey, has no units, or has no path.
-Survey read_survey(const std::filesystem::path& file, const SurveyWish& wish = {});
+WellSurvey read_survey(const std::filesystem::path& file, const SurveyWish& wish = {});
 
 /// The same of rows that are read already. Throws `InputError`.
-Survey survey_of(const SurveyRows& rows, const SurveyWish& wish = {});
+WellSurvey survey_of(const SurveyRows& rows, const SurveyWish& wish = {});
 
 /// The stations with what follows from them.
-std::vector<SurveyPoint> survey_points(const Survey& survey);
+std::vector<SurveyPoint> survey_points(const WellSurvey& survey);
 
 }  // namespace bitrock::studies

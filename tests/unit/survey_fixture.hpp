@@ -13,7 +13,7 @@ namespace survey_files {
 
 using namespace bitrock;
 
-inline studies::Survey read(const std::string& text, const studies::SurveyWish& wish = {}) {
+inline studies::WellSurvey read(const std::string& text, const studies::SurveyWish& wish = {}) {
   static const scratch::Folder folder("survey");
   base::write_whole(folder / "s.csv", text);
   return studies::read_survey(folder / "s.csv", wish);

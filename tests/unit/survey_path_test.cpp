@@ -29,7 +29,7 @@ void expect_at(const SurveyPoint& point, double north, double east, double tvd, 
 
 // A bend of 10 degrees per 30 m is a quarter of a circle of radius 30/(10 pi/180) = 171.887 m.
 TEST(SurveyPath, TheShippedExampleIsAQuarterOfACircleAndTwoLines) {
-  const studies::Survey survey = studies::read_survey(BITROCK_SOURCE_DIR "/campaigns/drill/survey_example.csv");
+  const studies::WellSurvey survey = studies::read_survey(BITROCK_SOURCE_DIR "/campaigns/drill/survey_example.csv");
   const std::vector<SurveyPoint> all = survey_points(survey);
   const double radius = 30.0 / (10.0 * deg);
   ASSERT_EQ(all.size(), 18u);

@@ -12,7 +12,7 @@ using base::deg, base::foot;
 using survey_files::header, survey_files::read, survey_files::refusal;
 
 /// 0, 100 and 200 m; 0, 3 and 6 degrees; 10, 20 and 30 degrees.
-void expect_the_three(const studies::Survey& survey, double length = 1.0) {
+void expect_the_three(const studies::WellSurvey& survey, double length = 1.0) {
   ASSERT_EQ(survey.stations.size(), 3u);
   for (int i = 0; i < 3; ++i) {
     EXPECT_DOUBLE_EQ(survey.stations[i].measured_depth, 100.0 * i * length);
@@ -46,7 +46,7 @@ TEST(SurveyTable, UnitsStandInTheHeaderOrAreSaid) {
   expect_the_three(read("MD (ft),Inc (deg),Azi (deg)\n" + rows), foot);
   expect_the_three(read("MD (usft),Inc (deg),Azi (deg)\n" + rows), 1200.0 / 3937.0);
   expect_the_three(read("MD,Inc,Azi\n" + rows, {.units = {.md = "ft", .angle = "deg"}}), foot);
-  const studies::Survey radians = read("MD (m),Inc (rad),Azi (deg)\n0,0,10\n100,0.05,20\n");
+  const studies::WellSurvey radians = read("MD (m),Inc (rad),Azi (deg)\n0,0,10\n100,0.05,20\n");
   EXPECT_EQ(radians.stations[1].inclination, 0.05);
   EXPECT_EQ(radians.inclination_unit.name, "rad");
   EXPECT_EQ(radians.azimuth_unit.name, "deg");

@@ -29,7 +29,7 @@ std::string document(const std::string& stations) {
 }
 
 TEST(SurveyWitsml, ATrajectoryIsTheSameWellAsItsTable) {
-  const studies::Survey survey =
+  const studies::WellSurvey survey =
       read(document(row("0", "0", "47.3") + row(" 1000\n", "3.5", "20") + row("2e3", "6", "30")));
   ASSERT_EQ(survey.stations.size(), 3u);
   EXPECT_DOUBLE_EQ(survey.stations[1].measured_depth, 1000 * foot);
@@ -37,7 +37,7 @@ TEST(SurveyWitsml, ATrajectoryIsTheSameWellAsItsTable) {
   EXPECT_DOUBLE_EQ(survey.stations[2].azimuth, 30 * deg);
   EXPECT_EQ(survey.format, "WITSML trajectory");
   EXPECT_EQ(survey.md_unit.name, "ft");
-  const studies::Survey table = read("MD (ft),Inc (deg),Azi (deg)\n0,0,47.3\n1000,3.5,20\n2000,6,30\n");
+  const studies::WellSurvey table = read("MD (ft),Inc (deg),Azi (deg)\n0,0,47.3\n1000,3.5,20\n2000,6,30\n");
   EXPECT_EQ(survey_points(survey)[2].position.z, survey_points(table)[2].position.z);
 }
 

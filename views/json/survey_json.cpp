@@ -6,7 +6,7 @@ namespace bitrock::views {
 
 using base::deg, base::foot, base::in_units;
 
-nlohmann::json as_json(const studies::Survey& survey) {
+nlohmann::json as_json(const studies::WellSurvey& survey) {
   const std::vector<studies::SurveyPoint> points = studies::survey_points(survey);
   const auto list = [&points](const auto& of_point) {
     nlohmann::json values = nlohmann::json::array();

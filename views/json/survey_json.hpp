@@ -8,6 +8,6 @@
 namespace bitrock::views {
 
 /// What the file is, and a list a quantity with an entry a station.
-nlohmann::json as_json(const studies::Survey& survey);
+nlohmann::json as_json(const studies::WellSurvey& survey);
 
 }  // namespace bitrock::views

@@ -12,7 +12,7 @@ namespace {
 
 using base::deg, base::foot;
 
-std::string summary(const std::string& file, const studies::Survey& survey,
+std::string summary(const std::string& file, const studies::WellSurvey& survey,
                     const std::vector<studies::SurveyPoint>& points) {
   const auto sharper = [](const studies::SurveyPoint& a, const studies::SurveyPoint& b) {
     return a.curvature < b.curvature;
@@ -27,7 +27,7 @@ std::string summary(const std::string& file, const studies::Survey& survey,
 
 }  // namespace
 
-std::string survey_table(const std::string& file, const studies::Survey& survey) {
+std::string survey_table(const std::string& file, const studies::WellSurvey& survey) {
   const std::vector<studies::SurveyPoint> points = studies::survey_points(survey);
   constexpr const char* names = "{:>10} {:>9} {:>9} {:>10} {:>10} {:>10} {:>10} {:>11}\n";
   constexpr const char* numbers = "{:>10.2f} {:>9.2f} {:>9.2f} {:>10.2f} {:>10.2f} {:>10.2f} {:>10.3f} {:>11.3f}\n";

@@ -8,6 +8,6 @@
 namespace bitrock::views {
 
 /// A row a station: depth, angles, position, dogleg; and what the well is in one line.
-std::string survey_table(const std::string& file, const studies::Survey& survey);
+std::string survey_table(const std::string& file, const studies::WellSurvey& survey);
 
 }  // namespace bitrock::views
