@@ -41,8 +41,8 @@ Measure measure(const char* name, const char* unit, char component, const Bars& 
 
 std::vector<Measure> measures(const Rebuilding& rebuilding, bool from_model, runtime::SignalMode mode,
                               double shallowest, double deepest) {
-  std::vector<const Comparison*> chosen;
-  for (const Comparison& one : rebuilding.comparisons) {
+  std::vector<const RebuiltCut*> chosen;
+  for (const RebuiltCut& one : rebuilding.comparisons) {
     const double depth = rebuilding.known[one.known].conditions().depth_of_cut;
     if (one.from_model == from_model && one.mode == mode && depth >= shallowest && depth <= deepest)
       chosen.push_back(&one);
@@ -55,7 +55,7 @@ std::vector<Measure> measures(const Rebuilding& rebuilding, bool from_model, run
                                                          double ComponentLikeness::*ratio) {
       std::vector<double> off(chosen.size());
       std::transform(chosen.begin(), chosen.end(), off.begin(),
-                     [&](const Comparison* one) { return 100.0 * ((one->likeness.*of).*ratio - 1.0); });
+                     [&](const RebuiltCut* one) { return 100.0 * ((one->likeness.*of).*ratio - 1.0); });
       all.push_back(measure(name, "%", component, bars, from_model, off));
     };
     add("mean", mean_bars, &ComponentLikeness::mean_ratio);
@@ -63,7 +63,7 @@ std::vector<Measure> measures(const Rebuilding& rebuilding, bool from_model, run
     add("damage-equivalent range", damage_bars, &ComponentLikeness::damage_range_ratio);
     add("correlation length", length_bars, &ComponentLikeness::correlation_length_ratio);
     std::vector<double> octaves;
-    for (const Comparison* one : chosen) {
+    for (const RebuiltCut* one : chosen) {
       const auto& off = (one->likeness.*of).octave_difference;
       octaves.insert(octaves.end(), off.begin(), off.end());
     }
@@ -71,7 +71,7 @@ std::vector<Measure> measures(const Rebuilding& rebuilding, bool from_model, run
   }
   std::vector<double> off(chosen.size());
   std::transform(chosen.begin(), chosen.end(), off.begin(),
-                 [](const Comparison* one) { return one->likeness.xy_correlation - one->likeness.xy_correlation_dem; });
+                 [](const RebuiltCut* one) { return one->likeness.xy_correlation - one->likeness.xy_correlation_dem; });
   all.push_back(measure("correlation of x and y", "1", 'b', correlation_bars, from_model, off));
   return all;
 }

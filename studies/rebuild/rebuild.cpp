@@ -121,7 +121,7 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
           "case {} of {}: the force has no mean above 0 or no deviation in one direction", one.case_number, one.file));
     }
   }
-  std::vector<std::vector<Comparison>> of_case(all.known.size());
+  std::vector<std::vector<RebuiltCut>> of_case(all.known.size());
   base::SharedProgress shared(all.known.size(), progress);
   base::for_each_index(static_cast<int>(all.known.size()), options.jobs, [&](int index) {
     const auto i = static_cast<std::size_t>(index);
@@ -135,7 +135,7 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
       if (from == nullptr) continue;
       for (const SignalMode mode : options.modes) {
         if (mode == SignalMode::sawtooth && !surrogate::has_moments(*from)) continue;
-        Comparison comparison{
+        RebuiltCut comparison{
             .known = i, .from_model = from == model, .mode = mode, .rebuilt = {}, .likeness = {}, .draws = {}};
         const RebuiltForce force =
             rebuilt_force(*from, mode, one, options.draws, seed_of(options, i), comparison.draws);
@@ -147,7 +147,7 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
     }
     shared.set(i, 1.0);
   });
-  for (const std::vector<Comparison>& list : of_case)
+  for (const std::vector<RebuiltCut>& list : of_case)
     all.comparisons.insert(all.comparisons.end(), list.begin(), list.end());
   return all;
 }
@@ -156,7 +156,7 @@ std::vector<std::string> warnings(const Rebuilding& rebuilding, const RebuildOpt
                                   const surrogate::Model& model, const std::string& model_file) {
   std::vector<std::string> all;
   std::size_t outside = 0;
-  for (const Comparison& one : rebuilding.comparisons) outside += one.inside_training_range ? 0 : 1;
+  for (const RebuiltCut& one : rebuilding.comparisons) outside += one.inside_training_range ? 0 : 1;
   if (outside > 0)
     all.push_back(fmt::format("{} of {} comparisons are outside the training range of {}", outside,
                               rebuilding.comparisons.size(), model_file));

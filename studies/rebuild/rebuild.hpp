@@ -31,7 +31,7 @@ struct RebuiltForce {
 };
 
 /// One case, rebuilt in one way.
-struct Comparison {
+struct RebuiltCut {
   std::size_t known = 0;              ///< number of the case among those known
   bool from_model = false;            ///< or from the statistics of the cuts
   runtime::SignalMode mode{};         ///< in which it was rebuilt, never `automatic`
@@ -45,7 +45,7 @@ struct Comparison {
 struct Rebuilding {
   std::vector<KnownCase> known;         ///< those that have a force to rebuild
   std::vector<Portrait> dem;            ///< of each case, mean over its cuts
-  std::vector<Comparison> comparisons;  ///< by case, then statistics, then mode
+  std::vector<RebuiltCut> comparisons;  ///< by case, then statistics, then mode
   std::vector<std::string> left_out;    ///< cases without a force to rebuild, in words
 };
 

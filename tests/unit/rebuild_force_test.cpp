@@ -53,8 +53,8 @@ studies::KnownCase sawtooth_case(int cuts, double depth = 2e-3) {
   return known;
 }
 
-const studies::Comparison& of(const studies::Rebuilding& all, SignalMode mode, bool from_model = false) {
-  for (const studies::Comparison& one : all.comparisons) {
+const studies::RebuiltCut& of(const studies::Rebuilding& all, SignalMode mode, bool from_model = false) {
+  for (const studies::RebuiltCut& one : all.comparisons) {
     if (one.mode == mode && one.from_model == from_model) return one;
   }
   throw std::logic_error("no such comparison");
@@ -103,7 +103,7 @@ TEST(Rebuild, ATrainOfSawteethIsRebuiltLikeItself) {
   const surrogate::Model model = studies::constant_model(usual_statistics());
   const studies::Rebuilding all = studies::rebuild({sawtooth_case(200)}, &model, {.draws = 200, .jobs = 2});
   ASSERT_EQ(all.comparisons.size(), 2u);
-  for (const studies::Comparison& one : all.comparisons) {
+  for (const studies::RebuiltCut& one : all.comparisons) {
     for (const studies::ComponentLikeness& seen : {one.likeness.x, one.likeness.y}) {
       EXPECT_NEAR(seen.mean_ratio, 1.0, 0.05);
       EXPECT_NEAR(seen.sd_ratio, 1.0, 0.05);
@@ -158,7 +158,7 @@ TEST(Measures, AreOfTheDepthsAskedForAndCountWhatIsWithin) {
   studies::Rebuilding all;
   for (const double depth : {1e-3, 5e-3}) {
     all.known.push_back(sawtooth_case(1, depth));
-    studies::Comparison one{
+    studies::RebuiltCut one{
         .known = all.known.size() - 1, .mode = SignalMode::sawtooth, .rebuilt = {}, .likeness = {}, .draws = {}};
     one.likeness.x.mean_ratio = depth < 2e-3 ? 1.01 : 0.96;
     one.likeness.xy_correlation_dem = 0.9;

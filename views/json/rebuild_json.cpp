@@ -37,7 +37,7 @@ const char* statistics(bool from_model) {
   return from_model ? "model" : "own";
 }
 
-nlohmann::json comparison_json(const studies::Rebuilding& rebuilding, const studies::Comparison& one) {
+nlohmann::json comparison_json(const studies::Rebuilding& rebuilding, const studies::RebuiltCut& one) {
   const studies::KnownCase& known = rebuilding.known[one.known];
   const studies::Portrait& dem = rebuilding.dem[one.known];
   std::vector<int> seeds;
@@ -84,7 +84,7 @@ nlohmann::json summary_of(const studies::Rebuilding& rebuilding, const studies::
 
 nlohmann::json as_json(const studies::Rebuilding& rebuilding, const studies::RebuildOptions& options) {
   nlohmann::json comparisons = nlohmann::json::array();
-  for (const studies::Comparison& one : rebuilding.comparisons) comparisons.push_back(comparison_json(rebuilding, one));
+  for (const studies::RebuiltCut& one : rebuilding.comparisons) comparisons.push_back(comparison_json(rebuilding, one));
   return {{"draws", options.draws},
           {"seed", options.seed},
           {"octave_edges_per_m", studies::octave_edges},

@@ -66,7 +66,7 @@ report::Table pauses_table(const studies::Rebuilding& all, bool from_model, runt
     std::vector<studies::Portrait> dem, rebuilt;
   };
   std::map<double, Portraits> by_depth;
-  for (const studies::Comparison& one : all.comparisons) {
+  for (const studies::RebuiltCut& one : all.comparisons) {
     if (one.from_model != from_model || one.mode != mode) continue;
     Portraits& alike = by_depth[all.known[one.known].conditions().depth_of_cut];
     alike.dem.push_back(all.dem[one.known]);
@@ -83,7 +83,7 @@ report::Table pauses_table(const studies::Rebuilding& all, bool from_model, runt
   return table;
 }
 
-void add_case(report::Page& page, const studies::Rebuilding& all, const studies::Comparison& one,
+void add_case(report::Page& page, const studies::Rebuilding& all, const studies::RebuiltCut& one,
               const surrogate::Model* model, const studies::RebuildOptions& options) {
   const studies::KnownCase& known = all.known[one.known];
   const std::string way = way_in_words(one.from_model, one.mode);
@@ -121,7 +121,7 @@ void add_rebuild(report::Page& page, const studies::Rebuilding& rebuilding, cons
     }
   }
   for (const std::size_t i : shown_cases(rebuilding)) {
-    for (const studies::Comparison& one : rebuilding.comparisons) {
+    for (const studies::RebuiltCut& one : rebuilding.comparisons) {
       if (one.known == i) add_case(page, rebuilding, one, model, options);
     }
   }

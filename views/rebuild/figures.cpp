@@ -120,7 +120,7 @@ std::vector<report::Plot> parity_plots(const studies::Rebuilding& rebuilding, bo
         {.name = "F_x", .x = {}, .y = {}, .style = report::Style::markers},
         {.name = "F_y", .x = {}, .y = {}, .style = report::Style::markers, .marker = report::Marker::diamond}};
     double largest = 0.0;
-    for (const studies::Comparison& one : rebuilding.comparisons) {
+    for (const studies::RebuiltCut& one : rebuilding.comparisons) {
       if (one.from_model != from_model || one.mode != mode) continue;
       const studies::Portrait& dem = rebuilding.dem[one.known];
       const std::string label = conditions_in_words(rebuilding.known[one.known]);
