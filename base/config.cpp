@@ -391,14 +391,25 @@ const std::string& ConfigFile::name() const {
   return state_->name;
 }
 
+Field left_out_at_zero(Field field) {
+  field.left_out_at_zero = true;
+  return field;
+}
+
 namespace {
+
+bool is_left_out(const Field& field) {
+  const auto* const* real = std::get_if<double*>(&field.target);
+  return field.left_out_at_zero && real != nullptr && **real == 0.0;
+}
 
 std::string toml_text(const std::vector<Section>& sections, RealText* real_text, std::size_t in_a_line) {
   std::string text;
   for (const Section& section : sections) {
     if (!section.name.empty()) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", section.name);
-    for (const Field& field : section.fields)
-      text += fmt::format("{} = {}\n", field.name, value_text(field, real_text, in_a_line));
+    for (const Field& field : section.fields) {
+      if (!is_left_out(field)) text += fmt::format("{} = {}\n", field.name, value_text(field, real_text, in_a_line));
+    }
   }
   return text;
 }

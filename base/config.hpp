@@ -56,14 +56,19 @@ using FieldTarget = std::variant<double*, int*, bool*, std::string*, std::vector
 
 /// One key of a table and where its value goes.
 struct Field {
-  std::string name;       ///< key, ends in its unit
-  FieldTarget target;     ///< read into, and written out from
-  double si_per_unit;     ///< SI value = file value * si_per_unit; 1 where there is no unit
-  Range range;            ///< of a number, or of each entry of a list
-  std::string meaning;    ///< one line for people
-  bool required = false;  ///< otherwise the value already in the target is the default
-  bool oilfield = false;  ///< may also be given in the unit of the oil field (`also_in_oilfield_units`)
+  std::string name;               ///< key, ends in its unit
+  FieldTarget target;             ///< read into, and written out from
+  double si_per_unit;             ///< SI value = file value * si_per_unit; 1 where there is no unit
+  Range range;                    ///< of a number, or of each entry of a list
+  std::string meaning;            ///< one line for people
+  bool required = false;          ///< otherwise the value already in the target is the default
+  bool oilfield = false;          ///< may also be given in the unit of the oil field (`also_in_oilfield_units`)
+  bool left_out_at_zero = false;  ///< not written where it is 0 (`left_out_at_zero`)
 };
+
+/// A number that texts do not show where it is 0. For keys that came later, of which 0 means what there was before
+/// them: texts of then, and what is named by their hashes, stay valid.
+Field left_out_at_zero(Field field);
 
 /// One table of a file: its name and its keys.
 struct Section {

@@ -60,9 +60,12 @@ std::vector<base::Section> describe(CutCase& cut) {
        {{"diameter_mm", &cut.cutter_diameter, mm, cutter, "length of the face"},
         {"thickness_mm", &cut.cutter_thickness, mm, cutter, "behind the face"},
         {"friction_coefficient", &cut.cutter_friction, 1.0, between(0.0, 10.0), "between cutter and rock"},
-        {"clearance_deg", &cut.cutter_clearance, deg, clearance, "rise of the underside; 0: the back rake"},
-        {"chamfer_mm", &cut.cutter_chamfer, mm, ground_off, "of the edge, up the face, at 45 degrees to it; 0: sharp"},
-        {"wear_flat_mm", &cut.cutter_wear_flat, mm, ground_off, "length of the flat along the cut; 0: none"}}},
+        base::left_out_at_zero(
+            {"clearance_deg", &cut.cutter_clearance, deg, clearance, "rise of the underside; 0: the back rake"}),
+        base::left_out_at_zero({"chamfer_mm", &cut.cutter_chamfer, mm, ground_off,
+                                "of the edge, up the face, at 45 degrees to it; 0: sharp"}),
+        base::left_out_at_zero(
+            {"wear_flat_mm", &cut.cutter_wear_flat, mm, ground_off, "length of the flat along the cut; 0: none"})}},
       {"bed",
        {{"length_mm", &cut.bed_length, mm, length, "of the rock, along the cut"},
         {"height_mm", &cut.bed_height, mm, length, "of the rock, from bottom to surface"},
@@ -211,7 +214,7 @@ std::vector<base::Section> case_and_rock(CutCase& cut) {
   sections.erase(sections.begin());  // the rock's content says it better than its file name
   leave_out_unused(sections, cut);
   // a cut brings its own bed
-  for (base::Section& section : describe_kept_material(cut.rock)) sections.push_back(std::move(section));
+  for (base::Section& section : describe_material(cut.rock)) sections.push_back(std::move(section));
   return sections;
 }
 
@@ -241,14 +244,6 @@ CutterShape cutter_shape(const CutCase& cut) {
 
 void leave_out_unused(std::vector<base::Section>& sections, const CutCase& cut) {
   if (cut.mud_pressure == 0.0) std::erase_if(sections, [](const base::Section& s) { return s.name == "fluid"; });
-  const auto unused = [&cut](const base::Field& field) {
-    return (field.name == "clearance_deg" && cut.cutter_clearance == 0.0) ||
-           (field.name == "chamfer_mm" && cut.cutter_chamfer == 0.0) ||
-           (field.name == "wear_flat_mm" && cut.cutter_wear_flat == 0.0);
-  };
-  for (base::Section& section : sections) {
-    if (section.name == "cutter") std::erase_if(section.fields, unused);
-  }
 }
 
 CutCase read_cut_case(const std::filesystem::path& path) {

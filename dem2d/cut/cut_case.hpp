@@ -61,8 +61,7 @@ std::vector<base::Section> describe(CutCase& cut);
 /// The cutter of the case.
 CutterShape cutter_shape(const CutCase& cut);
 
-/// Without mud its table means nothing, and without chamfer, wear flat and clearance of its own neither do their keys:
-/// they are left out of what is kept and compared.
+/// Without mud its table means nothing and is left out of what is kept and compared.
 void leave_out_unused(std::vector<base::Section>& sections, const CutCase& cut);
 
 /// Reads the case and the rock it names, or holds, checked together. Throws `base::InputError`.

@@ -73,7 +73,7 @@ void write_specimen(const Specimen& specimen, const std::filesystem::path& path)
   Rock rock = specimen.rock;
   rock.specimen_width = specimen.width;  // whatever the rock file says of it: so the text makes this one again
   rock.specimen_height = specimen.height;
-  file.attribute("config_toml", base::to_exact_toml(describe_kept(rock)));
+  file.attribute("config_toml", base::to_exact_toml(describe(rock)));
   file.attribute("seed", static_cast<long long>(specimen.seed));
   file.attribute("width_m", specimen.width);
   file.attribute("height_m", specimen.height);

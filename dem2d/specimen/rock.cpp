@@ -42,15 +42,6 @@ void check(const base::ConfigFile& file, const Rock& rock) {
   }
 }
 
-std::vector<base::Section> without_unused(std::vector<base::Section> sections, const Rock& rock) {
-  for (base::Section& section : sections) {
-    std::erase_if(section.fields, [&rock](const base::Field& field) {
-      return field.name == "tension_softening" && rock.tension_softening == 0.0;
-    });
-  }
-  return sections;
-}
-
 Rock checked(base::ConfigFile file) {
   Rock rock;
   for (const base::Section& section : describe(rock)) file.fill(section);
@@ -98,8 +89,8 @@ std::vector<base::Section> describe(Rock& rock) {
         {"initial_gap_mm", &rock.initial_gap, mm, between(0.0, 100.0), "of gapped joints"},
         {"residual_cohesion_MPa", &rock.residual_cohesion, MPa, to_strength, "of elements broken in shear"},
         {"drop_to_residual", &rock.drop_to_residual, 1.0, any(), "shear stress at a shear break: false to zero"},
-        {"tension_softening", &rock.tension_softening, 1.0, base::zero_or(0.01, 100.0),
-         "opening from full tensile strength to none, over that up to it; 0: breaks at once"}}},
+        base::left_out_at_zero({"tension_softening", &rock.tension_softening, 1.0, base::zero_or(0.01, 100.0),
+                                "opening from full tensile strength to none, over that up to it; 0: breaks at once"})}},
       {"linear_contacts",
        {{"effective_modulus_GPa", &rock.contact_modulus, GPa, modulus, "E* between loose discs, cutter and walls"},
         {"stiffness_ratio", &rock.contact_stiffness_ratio, 1.0, stable_ratio, "normal over shear stiffness"},
@@ -122,14 +113,6 @@ std::vector<base::Section> describe_material(Rock& rock) {
   std::vector<base::Section> sections = describe(rock);
   std::erase_if(sections, [](const base::Section& section) { return section.name == "specimen"; });
   return sections;
-}
-
-std::vector<base::Section> describe_kept(Rock& rock) {
-  return without_unused(describe(rock), rock);
-}
-
-std::vector<base::Section> describe_kept_material(Rock& rock) {
-  return without_unused(describe_material(rock), rock);
 }
 
 Rock read_rock(const std::filesystem::path& path) {

@@ -72,13 +72,6 @@ std::vector<base::Section> describe(Rock& rock);
 /// The same without the size of specimens made on their own: all that the behaviour of the rock depends on.
 std::vector<base::Section> describe_material(Rock& rock);
 
-/// `describe` as it is kept and compared: without tension softening where there is none, so that texts of rocks from
-/// before there was such a key, and what is named by them, stay valid.
-std::vector<base::Section> describe_kept(Rock& rock);
-
-/// The same of `describe_material`.
-std::vector<base::Section> describe_kept_material(Rock& rock);
-
 /// Reads and checks; throws `base::InputError` with file, line and key.
 Rock read_rock(const std::filesystem::path& path);
 /// Whether a file that needs a rock holds its tables, instead of naming a file.

@@ -65,7 +65,7 @@ std::string mismatch(const Specimen& kept, const Rock& rock, double width, doubl
                        kept.height * 1e3, width * 1e3, height * 1e3);
   }
   Rock of_kept = kept.rock, wanted = rock;
-  if (base::to_toml(describe_kept_material(of_kept)) != base::to_toml(describe_kept_material(wanted))) {
+  if (base::to_toml(describe_material(of_kept)) != base::to_toml(describe_material(wanted))) {
     return "made of another rock than is wanted";
   }
   if (!kept.packed_elsewhere() && kept.seed != seed) {

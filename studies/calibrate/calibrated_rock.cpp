@@ -167,7 +167,7 @@ std::string calibrated_rock_toml(const CalibrationTarget& target, const Calibrat
                         seeds_text(fresh->seeds.front(), fresh->seeds.back(), static_cast<int>(fresh->seeds.size())));
     for (const std::string& line : lines_about(target, fresh->result)) text += "#   " + line + "\n";
   }
-  text += fmt::format("\n{}", base::to_toml(dem2d::describe_kept(rock)));
+  text += fmt::format("\n{}", base::to_toml(dem2d::describe(rock)));
   try {
     dem2d::parse_rock(text, "the calibrated rock");
   } catch (const base::InputError& error) {

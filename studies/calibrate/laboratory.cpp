@@ -87,7 +87,7 @@ std::string journal_inputs(const CalibrationTarget& target) {
       "genesis {}\nphysics {}\nlaboratory {}\nrates{}\ncore {} {}\ndamping {} friction {} grip {} stop {}\n{}",
       dem2d::genesis_version, dem2d::physics_version, laboratory_version, rates, settings.width, settings.height,
       settings.local_damping, settings.platen_friction, settings.grip_height, settings.stop_fraction,
-      base::to_toml(dem2d::describe_kept_material(rock)));
+      base::to_toml(dem2d::describe_material(rock)));
 }
 
 std::vector<LaboratoryTest> tests_of(const CalibrationTarget& target) {

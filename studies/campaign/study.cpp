@@ -275,8 +275,7 @@ std::vector<base::Section> describe_resolved(Study& study) {
       std::erase_if(section->fields, [&size](const base::Field& field) { return field.name == size.key; });
     }
   }
-  for (base::Section& section : dem2d::describe_kept_material(study.common.rock))
-    sections.push_back(std::move(section));
+  for (base::Section& section : dem2d::describe_material(study.common.rock)) sections.push_back(std::move(section));
   return sections;
 }
 

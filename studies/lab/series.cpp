@@ -246,7 +246,7 @@ std::string rock_text(const LabSeries& series) {
   dem2d::Rock rock = series.rock;
   rock.specimen_width = series.settings.width;
   rock.specimen_height = series.settings.height;
-  return base::to_exact_toml(dem2d::describe_kept(rock));
+  return base::to_exact_toml(dem2d::describe(rock));
 }
 
 std::string command_again(const LabSeries& series) {
