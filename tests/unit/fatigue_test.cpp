@@ -78,24 +78,30 @@ TEST(Goodman, TensionShortensTheLifeAndPressureDoesNot) {
   EXPECT_TRUE(std::isinf(studies::goodman_range(100e6, 1000e6, 1000e6)));
 }
 
-TEST(FibreDamage, OfAPipeThatTurnsInTheBuild) {
+TEST(FatigueOfARun, EightFibresOfAPipeThatTurnsInTheBuild) {
   // the moment E I / R stands still in space; in the frame of the pipe it turns the other way: one cycle a turn in
   // every fibre, about the mean stress of the tension
-  const double area = pi / 4.0 * (0.127 * 0.127 - 0.10861 * 0.10861), moment = second_moment(0.127, 0.10861);
-  const studies::FatigueSection section{
-      .area = area, .section_modulus = moment / pipe_radius, .tensile_strength = 1000e6, .magnification = 1.0};
+  const double area = pi / 4.0 * (0.127 * 0.127 - 0.10861 * 0.10861);
   const studies::SnCurve& curve = *studies::find_sn_curve("B1 air");
   constexpr int turns = 50, steps = 200, fibres = 8;
-  const auto damage_of = [&](double tension) {
-    studies::FibreDamage damage(section, curve, fibres);
-    for (int k = 0; k <= turns * steps; ++k) {
-      const double angle = 2.0 * pi * k / steps, bent = steel * moment / build_radius;
-      damage.add({.tension = tension, .m2 = bent * std::cos(angle), .m3 = -bent * std::sin(angle)});
-    }
-    damage.finish();
-    return damage.damage();
-  };
   const double range = 2.0 * steel * pipe_radius / build_radius;
+  const auto damage_of = [&](double tension) {
+    runtime::StressHistories run;
+    run.points.resize(fibres);
+    for (int k = 0; k <= turns * steps; ++k) {
+      run.time.push_back(3600.0 * k / (turns * steps));  // an hour: damage an hour is the damage
+      for (int fibre = 0; fibre < fibres; ++fibre) {
+        const double angle = 2.0 * pi * k / steps, psi = 2.0 * pi * fibre / fibres;
+        run.points[static_cast<std::size_t>(fibre)].stress.push_back(tension / area +
+                                                                     0.5 * range * std::sin(psi + angle));
+      }
+    }
+    std::vector<double> damage;
+    for (const studies::PointDamage& point :
+         studies::damage_of(run, {.curve = curve, .tensile_strength = 1000e6, .from = 0.0}, "run.h5"))
+      damage.push_back(point.damage_per_hour);
+    return damage;
+  };
   for (const double each : damage_of(0.0))
     EXPECT_NEAR(each, turns / studies::cycles_to_failure(curve, range),
                 0.02 * turns / 2.746e6);  // the ends of the record
@@ -104,14 +110,6 @@ TEST(FibreDamage, OfAPipeThatTurnsInTheBuild) {
     const double expected = turns / studies::cycles_to_failure(curve, range / (1.0 - mean / 1000e6));
     EXPECT_NEAR(each, expected, 0.02 * expected);
   }
-}
-
-TEST(FibreDamage, EightFibresShareTheTension) {
-  const studies::FatigueSection section{.area = 2e-3, .section_modulus = 1e-4, .tensile_strength = 1e9};
-  double sum = 0.0;
-  for (int k = 0; k < 8; ++k)
-    sum += studies::fibre_stress(section, {.tension = 1e5, .m2 = 3e3, .m3 = -7e3}, 2.0 * pi * k / 8);
-  EXPECT_NEAR(sum, 8.0 * 1e5 / 2e-3, 1.0);
 }
 
 /// A run of 25 s whose two points feel one cycle a second: that of drill pipe in the build, and half of it.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "runtime/signal/step5.hpp"
+#include "runtime/well/stress.hpp"
 #include "tests/verification/well_fixtures.hpp"
 
 using namespace well_test;
@@ -111,6 +112,27 @@ TEST(WellDepths, WallForcesAndMomentsAtRest) {
   const double pushed[] = {.63, 7.24, 7.32, 6.95, 6.65, 6.35, 6.06, 5.78, 5.53, 4.37, 0.0, 0.0, 2.29, 4.73, 5.61, 6.68};
   for (std::size_t k = 0; k < std::size(pushed); ++k)
     EXPECT_NEAR(state.columns.at(wall_force, 29 - k) / 1e3, pushed[k], 0.02) << k;
+}
+
+TEST(WellDepths, EightFibresShareTheTension) {
+  // bending pulls one side as much as it pushes the other, wherever the string is bent
+  const WellString string = string_to(1500.0, 0.0);
+  const WellStringState state = at_rest(string);
+  for (const double above_bit : {20.0, 120.0, 235.0, 900.0}) {
+    double sum = 0.0, axial = 0.0;
+    for (int k = 0; k < 8; ++k) {
+      const Stress stress = stress_at(string, state,
+                                      {.name = {},
+                                       .above_bit = above_bit,
+                                       .angle = 45.0 * degree * k,
+                                       .outer_diameter = 0.127,
+                                       .inner_diameter = 0.10861},
+                                      0.0);
+      sum += stress.normal;
+      axial = stress.axial;
+    }
+    EXPECT_NEAR(sum, 8.0 * axial, 1.0) << above_bit;
+  }
 }
 
 /// Means of a run after it has come to a steady speed.
