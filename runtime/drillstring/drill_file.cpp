@@ -10,6 +10,7 @@
 #include "base/errors.hpp"
 #include "base/hdf5_file.hpp"
 #include "base/text.hpp"
+#include "runtime/drillstring/series_file.hpp"
 
 namespace bitrock::runtime {
 
@@ -103,29 +104,11 @@ void write_summary(base::Hdf5Writer& file, const DrillSummary& summary) {
              "of the cutters: drawn, mean missed, band left, narrowed, capped");
 }
 
-/// An array that must have `count` entries, all finite.
-std::vector<double> finite_array(const base::Hdf5Reader& file, const std::string& path, std::size_t count) {
-  std::vector<double> values = file.doubles(path);
-  if (values.size() != count)
-    throw base::InputError(fmt::format("{}: {} has {} values (must have {})", file.name(), path, values.size(), count));
-  const auto bad = std::find_if_not(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-  if (bad != values.end())
-    throw base::InputError(
-        fmt::format("{}: {}[{}] = {} (must be finite)", file.name(), path, bad - values.begin(), *bad));
-  return values;
-}
-
 DrillSeries read_series(const base::Hdf5Reader& file) {
   DrillSeries series;
   const std::size_t count = file.doubles(series_entries.front().path).size();
   for (const SeriesEntry& entry : series_entries) series.*entry.values = finite_array(file, entry.path, count);
-  const std::vector<double>& time = series.time_s;
-  if (time.size() < 2)
-    throw base::InputError(fmt::format("{}: {} samples (a run has at least 2)", file.name(), time.size()));
-  const auto stuck = std::adjacent_find(time.begin(), time.end(), [](double a, double b) { return !(a < b); });
-  if (stuck != time.end())
-    throw base::InputError(
-        fmt::format("{}: /series/time_s goes from {} to {} s (must go up)", file.name(), *stuck, *std::next(stuck)));
+  require_rising(file, series.time_s);
   return series;
 }
 

@@ -71,11 +71,11 @@ void take_confined(const base::ConfigFile& file, const TargetFile& written, Cali
   double sum = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
     target.pressures.push_back(written.pressures_MPa[k] * MPa);
-    target.confined.push_back(written.strengths_MPa[k] * MPa);
-    sum += target.confined.back();
+    const double strength = written.strengths_MPa[k] * MPa;
+    sum += strength;
     if (target.pressures.back() <= 0.0)
       file.refuse("target", "confining_pressures_MPa", "must be above 0 (the strength without pressure is ucs_MPa)");
-    if (target.confined.back() <= target.pressures.back() + target.wanted[index_of(Property::ucs)]) {
+    if (strength <= target.pressures.back() + target.wanted[index_of(Property::ucs)]) {
       file.refuse(
           "target", "confined_strengths_MPa",
           fmt::format("{:g} MPa under {:g} MPa: must be above the pressure and ucs_MPa together (it is the whole "

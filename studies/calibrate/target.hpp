@@ -26,7 +26,6 @@ struct CalibrationTarget {
   std::string name;                 ///< that the calibrated rock will have
   PerProperty<double> wanted{};     ///< [Pa], [Pa], [Pa], [1], [Pa]; 0: not given
   std::vector<double> pressures;    ///< confining pressures of the confined strengths [Pa]
-  std::vector<double> confined;     ///< s_1 that is wanted under each of them [Pa]
   std::filesystem::path rock_file;  ///< where the search starts; found from the folder of the target
   dem2d::Rock start;                ///< what is in `rock_file`
   CalibrationSettings settings;     ///< how hard to try

@@ -7,13 +7,9 @@ using namespace bitrock;
 
 namespace {
 
-using program::json, program::run;
+using program::has, program::json, program::run;
 
 const std::string shipped = BITROCK_SOURCE_DIR "/campaigns/drill/deviated.toml";
-
-bool has(const program::Outcome& outcome, const std::string& words) {
-  return outcome.text.find(words) != std::string::npos;
-}
 
 TEST(DrillBroomstick, WritesTableJsonAndFigure) {
   const scratch::Folder folder("broomstick");

@@ -39,6 +39,11 @@ inline Outcome run(const std::string& arguments) {
   return shell(std::string(BITROCK_PROGRAM) + " " + arguments + " 2>&1");
 }
 
+/// Whether the program said these words.
+inline bool has(const Outcome& outcome, const std::string& words) {
+  return outcome.text.find(words) != std::string::npos;
+}
+
 /// Starts the program without waiting for it.
 inline pid_t start(const std::vector<std::string>& arguments) {
   const pid_t child = ::fork();

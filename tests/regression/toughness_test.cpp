@@ -21,9 +21,7 @@ namespace {
 using dem2d::LabTest;
 
 dem2d::LabSettings settings_of(const dem2d::Specimen& core, double notch_length) {
-  dem2d::LabSettings settings;
-  settings.width = core.width;
-  settings.height = core.height;
+  dem2d::LabSettings settings = lab_specimens::settings_for(core);
   settings.notch_length = notch_length;
   return settings;
 }

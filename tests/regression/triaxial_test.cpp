@@ -16,9 +16,7 @@ namespace {
 using dem2d::LabTest;
 
 dem2d::LabSettings settings_of(const dem2d::Specimen& core, double pressure) {
-  dem2d::LabSettings settings;
-  settings.width = core.width;
-  settings.height = core.height;
+  dem2d::LabSettings settings = lab_specimens::settings_for(core);
   settings.confining_pressure = pressure;
   return settings;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dem2d/lab/lab_test.hpp"
 #include "dem2d/specimen/genesis.hpp"
 
 using namespace bitrock;
@@ -60,6 +61,11 @@ inline dem2d::Rock coarse_rock() {
   rock.radius_max = 1.5e-3;
   rock.installation_gap = 0.1e-3;
   return rock;
+}
+
+/// Of a core as it is.
+inline dem2d::LabSettings settings_for(const dem2d::Specimen& core) {
+  return {.width = core.width, .height = core.height};
 }
 
 /// About 220 grains.

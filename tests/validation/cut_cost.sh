@@ -4,14 +4,9 @@
 # finished cuts stay in FOLDER. Run from the root of the repository; some 30 minutes of one core.
 #   tests/validation/cut_cost.sh [FOLDER]        B: the program, JOBS: cuts at a time
 set -euo pipefail
-B=${B:-build/release/cli/bitrock}
-JOBS=${JOBS:-$(nproc)}
 out=${1:-try/cut_cost}
-here=$(dirname "$0")
-rocks=$(cd campaigns/rocks && pwd)
+source "$(dirname "$0")/vary.sh"
 base=$here/cut/cost.toml
-mkdir -p "$out/rocks"
-source "$here/vary.sh"
 
 height='s/bed_height_depths = .*/bed_height_depths = 3/; s/bed_height_least_mm = .*/bed_height_least_mm = 6/'
 behind='s/moving_behind_depths = .*/moving_behind_depths = 2/'

@@ -4,12 +4,8 @@
 # Run from the root of the repository; some 20 minutes of one core.
 #   tests/validation/cut_sensitivity.sh [FOLDER]        B: the program, JOBS: cuts at a time
 set -euo pipefail
-B=${B:-build/release/cli/bitrock}
-JOBS=${JOBS:-$(nproc)}
 out=${1:-try/cut_sensitivity}
-here=$(dirname "$0")
-rocks=$(cd campaigns/rocks && pwd)
-mkdir -p "$out/rocks"
+source "$(dirname "$0")/vary.sh"
 
 # Everything the size of the grains enters: radii and installation gap.
 grains() { # factor, target
@@ -20,7 +16,6 @@ grains 0.5 "$out/rocks/half_grains.toml"
 grains 2 "$out/rocks/double_grains.toml"
 
 base=$here/cut/base.toml
-source "$here/vary.sh"
 
 vary base ''
 for alpha in 0 0.02 0.05 0.2 0.5 0.7; do vary damping_$alpha "s/local_damping = .*/local_damping = $alpha/"; done

@@ -5,16 +5,9 @@
 #   tests/validation/edge.sh [FOLDER] | tests/validation/into_page.sh edge docs/results/mud.md
 #                     B: the program, JOBS: cuts at a time, SEEDS: e.g. "1, 2, 3" (rocks)
 set -euo pipefail
-B=${B:-build/release/cli/bitrock}
-JOBS=${JOBS:-$(nproc)}
-SEEDS=${SEEDS:-1, 2, 3}
 out=${1:-try/edge}
-here=$(dirname "$0")
-rocks=$(cd campaigns/rocks && pwd)
-mkdir -p "$out/rocks"
-base=$out/edge.toml
-sed "s/^seeds = .*/seeds = [$SEEDS]/" "$here/cut/mud.toml" >"$base"
-source "$here/vary.sh"
+source "$(dirname "$0")/vary.sh"
+vary_the_cut_under_mud
 
 cutter() { echo "s/^thickness_mm = .*/&\n$1 = $2/"; }
 dry='s/^pressure_MPa = .*/pressure_MPa = 0/'

@@ -5,16 +5,9 @@
 #   tests/validation/mud.sh [FOLDER] | tests/validation/into_page.sh mud docs/results/mud.md
 #                     B: the program, JOBS: cuts at a time, SEEDS: e.g. "1, 2, 3" (rocks)
 set -euo pipefail
-B=${B:-build/release/cli/bitrock}
-JOBS=${JOBS:-$(nproc)}
-SEEDS=${SEEDS:-1, 2, 3}
 out=${1:-try/mud}
-here=$(dirname "$0")
-rocks=$(cd campaigns/rocks && pwd)
-mkdir -p "$out/rocks"
-base=$out/mud.toml
-sed "s/^seeds = .*/seeds = [$SEEDS]/" "$here/cut/mud.toml" >"$base"
-source "$here/vary.sh"
+source "$(dirname "$0")/vary.sh"
+vary_the_cut_under_mud
 
 key() { echo "s/^$1 = .*/$1 = $2/"; }
 pressure() { key pressure_MPa "$1"; }

@@ -1,5 +1,16 @@
-# Studies that differ from a first one by one sed expression each; to be sourced. Wants B (the program), JOBS, out (a
-# folder), rocks (folder of the rock files) and base (the study that is varied); the tables of features go to `rows`.
+# Studies that differ from a first one by one sed expression each; to be sourced. Wants out (a folder) and base (the study
+# that is varied); the tables of features go to `rows`. B: the program, JOBS: cuts at a time.
+B=${B:-build/release/cli/bitrock}
+JOBS=${JOBS:-$(nproc)}
+here=$(dirname "$0")
+rocks=$(cd campaigns/rocks && pwd)
+mkdir -p "$out/rocks"
+
+vary_the_cut_under_mud() { # SEEDS: e.g. "1, 2, 3" (rocks)
+  base=$out/cut_under_mud.toml
+  sed "s/^seeds = .*/seeds = [${SEEDS:-1, 2, 3}]/" "$here/cut/mud.toml" >"$base"
+}
+
 rows=()
 vary() { # name, sed expression; the first call is the study as it is, with the name base
   local name=$1 expression=$2 dir=$out/$1

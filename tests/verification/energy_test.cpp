@@ -11,6 +11,7 @@
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
+#include "tests/verification/ledger.hpp"
 
 using namespace bitrock;
 
@@ -18,6 +19,7 @@ namespace {
 
 using small_worlds::modulus;
 using small_worlds::radius;
+using verification::run;
 
 void start(dem2d::World& world, double step_over_critical) {
   world.ledger.measured = true;
@@ -30,17 +32,6 @@ void start_on_floor(dem2d::World& world, double step_times_frequency) {
   world.ledger.measured = true;
   dem2d::prepare(world);
   world.step = step_times_frequency * std::sqrt(world.discs.mass[0] / (2.0 * modulus));
-}
-
-/// Advances and returns the ledger of the last instant.
-dem2d::Energies run(dem2d::World& world, int steps) {
-  dem2d::Energies last;
-  for (int step = 1; step <= steps; ++step) {
-    dem2d::find_forces(world);
-    if (step == steps) last = dem2d::read_energies(world);
-    dem2d::move(world);
-  }
-  return last;
 }
 
 double strain(const dem2d::Energies& e) {

@@ -13,6 +13,7 @@
 #include "dem2d/step/step.hpp"
 #include "tests/unit/small_worlds.hpp"
 #include "tests/verification/joint_paths.hpp"
+#include "tests/verification/ledger.hpp"
 
 using namespace bitrock;
 
@@ -21,6 +22,7 @@ namespace {
 using dem2d::ElementState;
 using small_worlds::modulus;
 using small_worlds::radius;
+using verification::run;
 
 constexpr double kn = modulus / (2.0 * radius);  // [Pa/m]
 constexpr double strength = 10e6;                // [Pa]
@@ -166,17 +168,6 @@ TEST_P(SofteningPairs, FollowEnvelopeAndSecant) {
     EXPECT_EQ(world.joints.softened[k], 0);
     EXPECT_EQ(world.room.fresh_cracks[0][4 * k].mode, ElementState::broken_in_tension);
   }
-}
-
-/// The ledger at the last of so many instants.
-dem2d::Energies run(dem2d::World& world, int steps) {
-  dem2d::Energies last;
-  for (int step = 1; step <= steps; ++step) {
-    dem2d::find_forces(world);
-    if (step == steps) last = dem2d::read_energies(world);
-    dem2d::move(world);
-  }
-  return last;
 }
 
 TEST_P(SofteningPairs, TakeUpOnePlusZetaTimesTheEnergyOfABreak) {

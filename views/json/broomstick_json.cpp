@@ -1,16 +1,8 @@
 #include "views/json/broomstick_json.hpp"
 
-#include <cmath>
+#include "views/json/number_or_null.hpp"
 
 namespace bitrock::views {
-
-namespace {
-
-nlohmann::json or_null(double value) {
-  return std::isnan(value) ? nlohmann::json(nullptr) : nlohmann::json(value);
-}
-
-}  // namespace
 
 nlohmann::json as_json(const std::vector<studies::BroomstickRow>& rows,
                        const std::vector<studies::MeasuredLoad>& measured, double wall_time) {
@@ -19,15 +11,15 @@ nlohmann::json as_json(const std::vector<studies::BroomstickRow>& rows,
     computed.push_back({{"bit_depth_m", row.bit_depth},
                         {"friction", row.friction},
                         {"operation", name_of(row.operation)},
-                        {"hook_load_N", or_null(row.hook_load)},
-                        {"torque_N_m", or_null(row.torque)},
+                        {"hook_load_N", number_or_null(row.hook_load)},
+                        {"torque_N_m", number_or_null(row.torque)},
                         {"steady", row.steady}});
   }
   for (const studies::MeasuredLoad& load : measured) {
     points.push_back({{"bit_depth_m", load.bit_depth},
                       {"operation", name_of(load.operation)},
-                      {"hook_load_N", or_null(load.hook_load)},
-                      {"torque_N_m", or_null(load.torque)}});
+                      {"hook_load_N", number_or_null(load.hook_load)},
+                      {"torque_N_m", number_or_null(load.torque)}});
   }
   return {{"rows", computed}, {"measured", points}, {"wall_s", wall_time}};
 }

@@ -5,15 +5,11 @@
 
 #include "dem2d/lab/loading_rate.hpp"
 #include "studies/lab/envelope.hpp"
+#include "views/json/number_or_null.hpp"
 
 namespace bitrock::views {
 
 namespace {
-
-/// A number, or null where the test does not give it.
-nlohmann::json number(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
-}
 
 nlohmann::json as_json(const dem2d::LabRun& run) {
   return {{"seed", run.seed},
@@ -22,18 +18,18 @@ nlohmann::json as_json(const dem2d::LabRun& run) {
           {"discs", run.discs},
           {"joints", run.joints},
           {"peak_stress_Pa", run.peak_stress},
-          {"fracture_toughness_Pa_sqrt_m", number(run.fracture_toughness)},
-          {"youngs_modulus_Pa", number(run.youngs_modulus)},
-          {"poissons_ratio", number(run.poissons_ratio)},
-          {"youngs_modulus_uncracked_Pa", number(run.uncracked_modulus)},
-          {"poissons_ratio_uncracked", number(run.uncracked_ratio)},
+          {"fracture_toughness_Pa_sqrt_m", number_or_null(run.fracture_toughness)},
+          {"youngs_modulus_Pa", number_or_null(run.youngs_modulus)},
+          {"poissons_ratio", number_or_null(run.poissons_ratio)},
+          {"youngs_modulus_uncracked_Pa", number_or_null(run.uncracked_modulus)},
+          {"poissons_ratio_uncracked", number_or_null(run.uncracked_ratio)},
           {"cracks_at_half_strength", run.cracks_at_half},
           {"cracks_tensile", run.cracks_tensile},
           {"cracks_shear", run.cracks_shear},
           {"cracks_at_peak", run.cracks_at_peak},
           {"crack_initiation_stress_Pa", run.crack_initiation_stress},
           {"strain_at_peak", run.strain_at_peak},
-          {"fracture_height_fraction", number(run.fracture_height)},
+          {"fracture_height_fraction", number_or_null(run.fracture_height)},
           {"imbalance_fraction", run.imbalance},
           {"strain_rate_per_s", run.strain_rate},
           {"step_s", run.step},
@@ -45,9 +41,9 @@ nlohmann::json means_of(std::span<const dem2d::LabRun> runs) {
   nlohmann::json json;
   for (const studies::LabQuantity& quantity : studies::lab_quantities()) {
     const base::Summary summary = studies::summary_of(quantity, runs);
-    json["mean"][quantity.key] = number(summary.mean);
+    json["mean"][quantity.key] = number_or_null(summary.mean);
     // the scatter of one specimen is not known
-    json["sd"][quantity.key] = summary.count > 1 ? number(summary.standard_deviation) : nlohmann::json(nullptr);
+    json["sd"][quantity.key] = summary.count > 1 ? number_or_null(summary.standard_deviation) : nlohmann::json(nullptr);
   }
   return json;
 }
@@ -56,8 +52,9 @@ nlohmann::json as_json(const studies::EnvelopeOfSeeds& envelope) {
   nlohmann::json json{{"seeds", envelope.seeds}};
   for (const studies::EnvelopeQuantity& quantity : studies::envelope_quantities) {
     const base::Summary s = envelope.of(quantity.value);
-    json["mean"][quantity.key] = number(s.mean / quantity.unit);
-    json["sd"][quantity.key] = s.count > 1 ? number(s.standard_deviation / quantity.unit) : nlohmann::json(nullptr);
+    json["mean"][quantity.key] = number_or_null(s.mean / quantity.unit);
+    json["sd"][quantity.key] =
+        s.count > 1 ? number_or_null(s.standard_deviation / quantity.unit) : nlohmann::json(nullptr);
   }
   return json;
 }

@@ -26,6 +26,14 @@ std::string row(const std::string& name, double strength, double modulus, double
                      cell(initiation * 1e-6, 2), cell(strain * 1e2, 3), rest);
 }
 
+/// Mean and scatter of each of `lab_quantities`, in their order.
+std::vector<base::Summary> summaries_of(std::span<const dem2d::LabRun> runs) {
+  std::vector<base::Summary> summaries;
+  for (const studies::LabQuantity& quantity : studies::lab_quantities())
+    summaries.push_back(studies::summary_of(quantity, runs));
+  return summaries;
+}
+
 /// A row a test, and their mean and scatter.
 std::string table_of(std::span<const dem2d::LabRun> runs) {
   std::string table = fmt::format(row_format, "seed", "strength MPa", "E GPa", "nu", "cracks from MPa", "at strain %",
@@ -36,9 +44,7 @@ std::string table_of(std::span<const dem2d::LabRun> runs) {
                  fmt::format("{} + {}", run.cracks_tensile, run.cracks_shear));
   }
   if (runs.size() == 1) return table;
-  std::vector<base::Summary> s;
-  for (const studies::LabQuantity& quantity : studies::lab_quantities())
-    s.push_back(studies::summary_of(quantity, runs));
+  const std::vector<base::Summary> s = summaries_of(runs);
   return table +
          row("mean", s[0].mean, s[1].mean, s[2].mean, s[3].mean, s[4].mean,
              fmt::format("{:.0f} + {:.0f}", s[5].mean, s[6].mean)) +
@@ -62,17 +68,9 @@ std::string toughness_table(std::span<const dem2d::LabRun> runs) {
                     fmt::format("{} + {}", run.cracks_tensile, run.cracks_shear));
   }
   if (runs.size() == 1) return table;
-  const auto summary = [runs](double dem2d::LabRun::*member) {
-    std::vector<double> values;
-    values.reserve(runs.size());
-    for (const dem2d::LabRun& run : runs) values.push_back(run.*member);
-    return base::summarise(values);
-  };
-  const base::Summary strength = summary(&dem2d::LabRun::peak_stress),
-                      toughness = summary(&dem2d::LabRun::fracture_toughness),
-                      strain = summary(&dem2d::LabRun::strain_at_peak);
-  return table + row_of("mean", strength.mean, toughness.mean, strain.mean, "") +
-         row_of("sd", strength.standard_deviation, toughness.standard_deviation, strain.standard_deviation, "");
+  const std::vector<base::Summary> s = summaries_of(runs);
+  return table + row_of("mean", s[0].mean, s[7].mean, s[4].mean, "") +
+         row_of("sd", s[0].standard_deviation, s[7].standard_deviation, s[4].standard_deviation, "");
 }
 
 }  // namespace
