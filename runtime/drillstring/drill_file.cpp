@@ -87,6 +87,7 @@ constexpr const char *clamps_path = "/summary/questions", *draws_path = "/summar
 template <class Tally, std::size_t n>
 std::vector<double> as_doubles(const Tally& tally, const std::array<std::int64_t Tally::*, n>& counts) {
   std::vector<double> values;
+  values.reserve(n);
   for (const auto count : counts) values.push_back(static_cast<double>(tally.*count));
   return values;
 }
