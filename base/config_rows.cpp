@@ -15,6 +15,7 @@ namespace {
 template <class T>
 std::string list_text(const std::vector<T>& list, double unit) {
   std::vector<double> numbers;
+  numbers.reserve(list.size());
   for (const T value : list) numbers.push_back(in_units(static_cast<double>(value), unit));
   return fmt::format("[{}]", fmt::join(numbers, ", "));
 }

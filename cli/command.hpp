@@ -97,6 +97,8 @@ void add_lab(CLI::App& app);
 void add_peaks(CLI::App& app);
 void add_train(CLI::App& app);
 void add_predict(CLI::App& app);
+void add_hold(CLI::App& app);
+void add_learn(CLI::App& app);
 void add_parity(CLI::App& app);
 void add_rebuild(CLI::App& app);
 void add_signal(CLI::App& app);

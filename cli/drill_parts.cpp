@@ -38,7 +38,7 @@ std::optional<surrogate::Model> model_of(const CommonOptions& common, const Case
     return std::nullopt;
   }
   if (drill.source.model_file.empty()) return std::nullopt;
-  surrogate::Model model = surrogate::read_model(drill.source.model_file);
+  surrogate::Model model = surrogate::read_cut_model(drill.source.model_file);
   const std::string other = runtime::other_rock(drill, model);
   if (!other.empty()) warn(common, other);
   return model;

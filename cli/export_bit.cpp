@@ -16,7 +16,7 @@ struct Options {
 };
 
 void run(const Options& options) {
-  const surrogate::Model model = surrogate::read_model(options.model_file);
+  const surrogate::Model model = surrogate::read_cut_model(options.model_file);
   const runtime::Bit bit = runtime::read_bit(options.bit_file);
   warn_of_bit(options.common, bit, model);
   require_outputs(options.common, {options.model_file, options.bit_file}, {options.output});

@@ -18,7 +18,7 @@ struct Options {
 };
 
 void run(const Options& options) {
-  const surrogate::Model model = surrogate::read_model(options.model_file);
+  const surrogate::Model model = surrogate::read_cut_model(options.model_file);
   const runtime::Bit bit = runtime::read_bit(options.bit_file);
   warn_of_bit(options.common, bit, model);
   if (std::filesystem::path(options.output).extension() != ".fmu")

@@ -30,7 +30,7 @@ nlohmann::json as_json(const Columns& columns) {
 /// `bytes_of` makes the file from the model.
 template <class BytesOf>
 void export_model(const Options& options, const BytesOf& bytes_of) {
-  const surrogate::Model model = surrogate::read_model(options.model_file);
+  const surrogate::Model model = surrogate::read_cut_model(options.model_file);
   require_outputs(options.common, {options.model_file}, {options.output});
   base::write_whole(options.output, bytes_of(model));
   say(options.common, "-> {}\n", options.output);

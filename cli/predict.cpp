@@ -5,6 +5,7 @@
 #include "base/units.hpp"
 #include "cli/command.hpp"
 #include "dem2d/cut/cut_case.hpp"
+#include "surrogate/net/further_inputs.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/net/trained_range.hpp"
 #include "views/json/prediction_json.hpp"
@@ -20,10 +21,12 @@ struct Options {
   double speed = 0.0, depth_mm = 0.0, rake_deg = 0.0;
   double cut_length_mm = 0.0;  ///< 0: not asked for
   bool strict = false;
+  std::vector<std::string> held;
 };
 
 void run(const Options& options) {
-  const surrogate::Model model = surrogate::read_model(options.model_file);
+  const surrogate::Model model =
+      surrogate::held(surrogate::read_model(options.model_file), surrogate::held_inputs(options.held));
   const surrogate::CutConditions conditions{options.speed, options.depth_mm * base::mm, options.rake_deg * base::deg};
   require_outputs(options.common, {options.model_file}, {});
   const surrogate::Prediction prediction = surrogate::predict(model, conditions);
@@ -61,6 +64,8 @@ void add_predict(CLI::App& app) {
       ->add_option("--cut-length-mm", options->cut_length_mm,
                    "The program also says how many peaks a cut of this length has.")
       ->check(within("--cut-length-mm", base::between(0.01, 1e6)));
+  command->add_option("--hold", options->held,
+                      "A further input of the networks has this value: NAME=VALUE, e.g. fluid_pressure_MPa=20.");
   command->add_flag("--strict", options->strict,
                     "Conditions that the networks have not learnt are an error, not a warning.");
   add_common(*command, options->common);

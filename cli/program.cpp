@@ -26,6 +26,8 @@ void declare_program(CLI::App& app) {
   add_peaks(app);
   add_train(app);
   add_predict(app);
+  add_hold(app);
+  add_learn(app);
   add_parity(app);
   add_rebuild(app);
   add_signal(app);

@@ -27,7 +27,7 @@ struct Options {
 void run(const Options& options) {
   runtime::Bit bit = runtime::read_bit(options.bit_file);
   take_mode(options.mode, bit);
-  const surrogate::Model model = surrogate::read_model(options.model_file);
+  const surrogate::Model model = surrogate::read_cut_model(options.model_file);
   for (const std::string& warning : runtime::warnings(bit)) warn(options.common, warning);
   const runtime::ConstantSpeed drive{.rotation = options.rpm * 2.0 * std::numbers::pi / 60.0,
                                      .rate_of_penetration = options.rop_m_per_h / 3600.0,

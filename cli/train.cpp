@@ -52,13 +52,15 @@ void run(Options options) {
   options.train.patience =
       options.patience.value_or(options.train.validation > 0.0 ? surrogate::recommended_patience : 0);
   surrogate::check_options(options.train);
-  if (options.init_from.empty()) surrogate::require_varied_inputs(data.rows, data.file);
+  const std::vector<surrogate::LearntFurther> further = surrogate::learnt_further(data);
+  if (options.init_from.empty()) surrogate::require_varied_inputs(data.rows, further, data.file);
   for (const std::string& doubt : surrogate::warnings(data)) warn(options.common, doubt);
   for (const std::string& doubt : surrogate::learning_warnings(data, options.train)) warn(options.common, doubt);
   const std::size_t cases = surrogate::case_numbers(data).size();
   if (options.common.check) {
     say(options.common, "{}: {} rows, {} cases, {} networks of {} parameters\n", data.file, data.rows.size(), cases,
-        surrogate::output_count(data), surrogate::parameter_count(options.train.layers));
+        surrogate::output_count(data),
+        surrogate::parameter_count(surrogate::with_further(options.train.layers, further.size())));
     write_json(options.common, {{"rows", data.rows.size()}, {"cases", cases}});
     return;
   }
@@ -122,7 +124,8 @@ void add_train(CLI::App& app) {
       ->check(not_empty());
   command
       ->add_option("--layers", train.layers,
-                   "Each layer has so many nodes, inputs and output included, e.g. 3,4,6,3,1.")
+                   "Each layer has so many nodes, inputs and output included, e.g. 3,4,6,3,1. Further inputs of the "
+                   "table are added to the first.")
       ->delimiter(',')
       ->default_str("3,4,6,3,1");
   command
@@ -158,6 +161,8 @@ void add_train(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--single-cuts", options->single_cuts,
                     "The networks learn from the single cuts, not from the mean over the seeds of each case.");
+  command->add_flag("--taught", train.taught,
+                    "The networks learn from a smooth formula through the cases, not from the noisy cases themselves.");
   command->add_flag("--weighted", train.weighted, "Cases that scatter less between seeds weigh more.");
   command->add_flag("--search", options->search,
                     "The program compares several kinds of networks by cross-validation, and takes the article's "

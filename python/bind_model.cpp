@@ -7,6 +7,7 @@
 #include "python/arrays.hpp"
 #include "python/bindings.hpp"
 #include "python/input.hpp"
+#include "surrogate/net/further_inputs.hpp"
 #include "surrogate/net/model_file.hpp"
 
 namespace py = pybind11;
@@ -85,6 +86,7 @@ py::dict provenance(const Model& model) {
 
 /// The three conditions brought to one shape, and a column for each output.
 py::dict predict(const Model& model, const py::object& speed, const py::object& depth_mm, const py::object& rake_deg) {
+  surrogate::require_no_further_inputs(model, "the model");
   const py::module_ numpy = py::module_::import("numpy");
   const py::sequence together = numpy.attr("broadcast_arrays")(
       doubles_of(speed, "speed_m_per_s"), doubles_of(depth_mm, "depth_mm"), doubles_of(rake_deg, "rake_deg"));
@@ -121,6 +123,13 @@ py::dict predict(const Model& model, const py::object& speed, const py::object& 
   return result;
 }
 
+Model held_at(const Model& model, const py::kwargs& values) {
+  std::vector<surrogate::HeldInput> held;
+  for (const auto& [name, value] : values)
+    held.push_back({.name = py::cast<std::string>(name), .value = py::cast<double>(value)});
+  return surrogate::held(model, held);
+}
+
 }  // namespace
 
 void bind_model(py::module_& module) {
@@ -140,8 +149,13 @@ void bind_model(py::module_& module) {
            "where the model has them x_mean_N_per_m, x_sd_N_per_m, y_mean_N_per_m, y_sd_N_per_m,\n"
            "correlation_length_m, short_correlation_length_m, xy_correlation; and\n"
            "inside_training_range [bool]: where it is False the networks extrapolate.")
+      .def("hold", &held_at,
+           "The networks at fixed values of further inputs: model.hold(fluid_pressure_MPa=20) asks for speed, depth "
+           "and\n"
+           "rake alone.")
       .def_readonly("rock", &Model::rock, "which rock, in words")
-      .def_property_readonly("inputs", &inputs, "three dicts: name, unit, low, high (training range, in that unit)")
+      .def_property_readonly("inputs", &inputs,
+                             "three or more dicts: name, unit, low, high (training range, in that unit)")
       .def_property_readonly(
           "outputs", &outputs,
           "ten or seventeen dicts: name, unit, low, high, layers, output_activation, best_epoch, restarts")

@@ -28,7 +28,8 @@ surrogate::OutputActivation activation_named(const std::string& name) {
 
 surrogate::Model train(const py::object& data_source, TrainOptions options, const py::object& progress) {
   const surrogate::TrainingData data = training_data(data_source);
-  if (options.init_from == nullptr) surrogate::require_varied_inputs(data.rows, data.file);
+  if (options.init_from == nullptr)
+    surrogate::require_varied_inputs(data.rows, surrogate::learnt_further(data), data.file);
   warn(surrogate::warnings(data));
   surrogate::check_options(options);
   warn(surrogate::learning_warnings(data, options));

@@ -45,7 +45,6 @@ std::vector<base::Section> describe(CutCase& cut) {
   const base::Range margin = between(0.1, 1e3);     // chips that fly farther meet no rock any more
   const base::Range step_factor = between(1e-3, longest_step_factor);  // smaller ones only cost time
   const base::Range damping{.low = 0.0, .high = 1.0, .high_open = true};
-  const base::Range pressure = zero_or(0.01, 1e3);    // ten times the mud pressure of the deepest wells
   const base::Range seal_gap = between(0.001, 0.25);  // farther apart than 0.3 discs are not on each other's lists
   return {
       {"",
@@ -77,7 +76,7 @@ std::vector<base::Section> describe(CutCase& cut) {
         {"step_factor", &cut.step_factor, 1.0, step_factor, "share of the longest stable step"},
         {"domain_margin_mm", &cut.domain_margin, mm, margin, "discs farther from the bed are removed"}}},
       {"fluid",
-       {{"pressure_MPa", &cut.mud_pressure, MPa, pressure, "of the mud above that of the pores; 0: no mud"},
+       {{"pressure_MPa", &cut.mud_pressure, MPa, fluid_pressure_MPa, "of the mud above that of the pores; 0: no mud"},
         {"debris", &cut.debris, 1.0, any(), "sealed: touching debris keeps the mud out; drained: only joints do"},
         {"cutter_face", &cut.cutter_face, 1.0, any(), "open: mud comes between cutter and debris; sealed: it does not"},
         {"seal_gap_over_radius", &cut.seal_gap_over_radius, 1.0, seal_gap,

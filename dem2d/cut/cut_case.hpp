@@ -54,6 +54,8 @@ inline constexpr const char *face_open = "open", *face_sealed = "sealed";       
 inline constexpr base::Range cutter_speed_m_per_s{.low = 0.0, .high = 50.0, .low_open = true};
 inline constexpr base::Range depth_of_cut_mm{.low = 0.01, .high = 100.0};  ///< allowed depths
 inline constexpr base::Range back_rake_deg{.low = 0.0, .high = 60.0};      ///< allowed back rakes
+/// Allowed pressures of the mud: ten times that of the deepest wells; 0 without mud.
+inline constexpr base::Range fluid_pressure_MPa{.low = 0.01, .high = 1e3, .or_zero = true};
 
 /// The sections of the file without the rock, bound to `cut`.
 std::vector<base::Section> describe(CutCase& cut);

@@ -60,9 +60,11 @@ RUNS = [
     ("campaign features", "campaign features study/forces.h5 -o features.csv"),
     ("campaign submit", "campaign submit --dir study --dry-run"),
     ("peaks", "peaks run.h5 --column x_N_per_m --parts 2"),
-    ("train", f"train {DATA} -o model.json --epochs 2 --starts 1"),
+    ("train", "train pressures.csv -o pressures.json --epochs 2 --starts 1"),
+    ("hold", "hold pressures.json fluid_pressure_MPa=10 -o held.json"),
     ("train --search", f"train {DATA} -o model.json --epochs 2 --starts 1 --search --folds 2"),
     ("train --check", f"train {DATA} -o model.json --check"),
+    ("learn", "learn rock.toml study.toml -o learnt --batch 8 --hours 0.001"),
     ("predict", f"predict {MODEL} --speed-m-per-s 1 --depth-mm 2 --rake-deg 20 --cut-length-mm 50"),
     ("parity", f"parity {MODEL} {DATA}"),
     ("rebuild", "rebuild study/forces.h5 --draws 2"),
@@ -109,6 +111,12 @@ def short_well():
     """The shipped string in a deviated well, the beginning of its trip."""
     text = (SHIPPED / "drill/deviated.toml").read_text(encoding="utf-8").replace("../", f"{SHIPPED}/")
     return text.replace("duration_s = 350", "duration_s = 1").replace("settling_s = 325", "settling_s = 0.2")
+
+
+def under_pressures():
+    """The shipped table as if every other case had been cut under mud."""
+    header, *rows = DATA.read_text(encoding="utf-8").splitlines()
+    return "\n".join([f"fluid_pressure_MPa,{header}"] + [f"{20 * (int(row.split(',')[0]) % 2)},{row}" for row in rows]) + "\n"
 
 
 def ran(program, arguments, folder):
@@ -226,7 +234,7 @@ def pages(build):
     made = {"keys.md": ran(lists, ["keys"], "."), "flags.md": ran(lists, ["flags"], ".")}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for file, text in {**INPUTS, "short.toml": short_case(), "well.toml": short_well()}.items():
+        for file, text in {**INPUTS, "short.toml": short_case(), "well.toml": short_well(), "pressures.csv": under_pressures()}.items():
             (folder / file).write_text(text, encoding="utf-8")
         results = "# JSON keys\n\n" + BY_HAND + (
             "`--json FILE` writes them. *null*: the run had no value there; *NAME*: an\n"

@@ -1,5 +1,7 @@
 #include "runtime/bit/core_description.hpp"
 
+#include "surrogate/net/further_inputs.hpp"
+
 namespace bitrock::runtime {
 
 namespace {
@@ -27,6 +29,7 @@ SignalMode mode_for(SignalMode mode, const surrogate::Model& model) {
 }
 
 CoreDescription describe(const Bit& bit, const surrogate::Model& model) {
+  surrogate::require_no_further_inputs(model, "the model");
   CoreDescription description;
   for (const Cutter& cutter : bit.cutters) {
     description.cutters.push_back({.radius_m = cutter.radius,

@@ -19,9 +19,9 @@ namespace bitrock::studies {
 
 namespace {
 
-using base::deg, base::mm;
+using base::deg, base::mm, base::MPa;
 
-using dem2d::cutter_speed_m_per_s, dem2d::depth_of_cut_mm, dem2d::back_rake_deg;
+using dem2d::cutter_speed_m_per_s, dem2d::depth_of_cut_mm, dem2d::back_rake_deg, dem2d::fluid_pressure_MPa;
 
 constexpr double most_jobs = 1e6;  // a year of one core, at the 42 s of a cut of paper240
 
@@ -58,7 +58,9 @@ base::Section describe(Grid& grid) {
   return {"grid",
           {{"cutter_speeds_m_per_s", &grid.cutter_speeds, 1.0, cutter_speed_m_per_s, "of the grid", true},
            {"depths_of_cut_mm", &grid.depths_of_cut, mm, depth_of_cut_mm, "of the grid", true},
-           {"back_rakes_deg", &grid.back_rakes, deg, back_rake_deg, "of the grid", true}}};
+           {"back_rakes_deg", &grid.back_rakes, deg, back_rake_deg, "of the grid", true},
+           {"fluid_pressures_MPa", &grid.mud_pressures, MPa, fluid_pressure_MPa,
+            "of the mud, of the grid; without them fluid.pressure_MPa"}}};
 }
 
 /// How the resolved copy of a study holds its table.
@@ -66,7 +68,8 @@ base::Section describe(Table& table) {
   return {"table",
           {{"cutter_speed_m_per_s", &table.cutter_speed, 1.0, cutter_speed_m_per_s, "of each case"},
            {"depth_of_cut_mm", &table.depth_of_cut, mm, depth_of_cut_mm, "of each case"},
-           {"back_rake_deg", &table.back_rake, deg, back_rake_deg, "of each case"}}};
+           {"back_rake_deg", &table.back_rake, deg, back_rake_deg, "of each case"},
+           {"fluid_pressures_MPa", &table.mud_pressure, MPa, fluid_pressure_MPa, "of each case, of the mud"}}};
 }
 
 base::Section describe_table_file(Study& study) {
@@ -101,6 +104,7 @@ void read_grid(base::ConfigFile& file, Grid& grid) {
   if (has_repeats(grid.cutter_speeds)) file.refuse("grid", "cutter_speeds_m_per_s", no_repeats);
   if (has_repeats(grid.depths_of_cut)) file.refuse("grid", "depths_of_cut_mm", no_repeats);
   if (has_repeats(grid.back_rakes)) file.refuse("grid", "back_rakes_deg", no_repeats);
+  if (has_repeats(grid.mud_pressures)) file.refuse("grid", "fluid_pressures_MPa", no_repeats);
 }
 
 void read_by_depth(base::ConfigFile& file, Study& study) {
@@ -120,6 +124,13 @@ void read_by_depth(base::ConfigFile& file, Study& study) {
   refuse_lone("fine_bed_least_mm", study.by_depth->fine_bed_least, study.by_depth->fine_bed_depths);
 }
 
+using Conditions = std::tuple<double, double, double, double>;
+
+Conditions conditions(const Table& table, std::size_t i) {
+  return {table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i],
+          table.mud_pressure.empty() ? 0.0 : table.mud_pressure[i]};
+}
+
 Table read_table(const std::filesystem::path& path) {
   const base::CsvTable csv = base::read_csv(path);
   csv.require({"cutter_speed_m_per_s", "depth_of_cut_mm", "back_rake_deg"});
@@ -137,10 +148,10 @@ Table read_table(const std::filesystem::path& path) {
   Table table{.cutter_speed = column("cutter_speed_m_per_s", cutter_speed_m_per_s, 1.0),
               .depth_of_cut = column("depth_of_cut_mm", depth_of_cut_mm, mm),
               .back_rake = column("back_rake_deg", back_rake_deg, deg)};
-  std::map<std::tuple<double, double, double>, int> lines;
+  if (csv.has("fluid_pressure_MPa")) table.mud_pressure = column("fluid_pressure_MPa", fluid_pressure_MPa, MPa);
+  std::map<Conditions, int> lines;
   for (std::size_t i = 0; i < csv.rows(); ++i) {
-    const auto [first, is_new] =
-        lines.emplace(std::tuple(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i]), csv.lines[i]);
+    const auto [first, is_new] = lines.emplace(conditions(table, i), csv.lines[i]);
     if (!is_new) {
       throw base::InputError(fmt::format("{}:{}: the same case as in line {} (each may appear once; seeds repeat them)",
                                          csv.source, csv.lines[i], first->second));
@@ -156,9 +167,10 @@ void read_inner_table(base::ConfigFile& file, Table& table) {
   if (cases == 0) file.refuse("table", "cutter_speed_m_per_s", "is empty (needs one entry a case)");
   if (table.depth_of_cut.size() != cases) file.refuse("table", "depth_of_cut_mm", "needs one entry a case");
   if (table.back_rake.size() != cases) file.refuse("table", "back_rake_deg", "needs one entry a case");
-  std::set<std::tuple<double, double, double>> different;
-  for (std::size_t i = 0; i < cases; ++i)
-    different.emplace(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i]);
+  if (!table.mud_pressure.empty() && table.mud_pressure.size() != cases)
+    file.refuse("table", "fluid_pressures_MPa", "needs one entry a case");
+  std::set<Conditions> different;
+  for (std::size_t i = 0; i < cases; ++i) different.insert(conditions(table, i));
   if (different.size() < cases) file.refuse("table", "cutter_speed_m_per_s", "each case may appear once");
 }
 
@@ -170,6 +182,15 @@ void read_cases(base::ConfigFile& file, Study& study) {
   if (file.has_table("table")) return read_inner_table(file, study.table);
   file.fill(describe_table_file(study));
   study.table = read_table(file.resolve(study.table_file));
+}
+
+bool has_pressures(const Study& study) {
+  return !study.grid.mud_pressures.empty() || !study.table.mud_pressure.empty();
+}
+
+void refuse_two_pressures(base::ConfigFile& file, const Study& study) {
+  if (has_pressures(study) && study.common.mud_pressure > 0.0)
+    file.refuse("fluid", "pressure_MPa", "the cases have pressures of their own; give one of the two");
 }
 
 dem2d::CutCase sized(dem2d::CutCase cut, const ByDepth& by_depth) {
@@ -191,8 +212,9 @@ dem2d::CutCase sized(dem2d::CutCase cut, const ByDepth& by_depth) {
 
 std::size_t count_cases(const Study& study) {
   const Grid& grid = study.grid;
-  return study.table.cutter_speed.size() +
-         grid.cutter_speeds.size() * grid.depths_of_cut.size() * grid.back_rakes.size();
+  return study.table.cutter_speed.size() + grid.cutter_speeds.size() * grid.depths_of_cut.size() *
+                                               grid.back_rakes.size() *
+                                               std::max<std::size_t>(grid.mud_pressures.size(), 1);
 }
 
 void refuse_too_many(const Study& study, const std::string& source) {
@@ -207,9 +229,11 @@ void refuse_too_many(const Study& study, const std::string& source) {
 template <class Function>
 void for_each_case(const Study& study, const Function& function) {
   int number = 0;
-  const auto give = [&](double speed, double depth, double rake) {
+  const double common_pressure = study.common.mud_pressure;
+  const auto give = [&](double speed, double depth, double rake, double pressure) {
     base::throw_if_stopped();
     dem2d::CutCase cut = study.common;
+    cut.mud_pressure = pressure;
     cut.cutter_speed = speed;
     cut.depth_of_cut = depth;
     cut.back_rake = rake;
@@ -217,11 +241,17 @@ void for_each_case(const Study& study, const Function& function) {
   };
   const Table& table = study.table;
   for (std::size_t i = 0; i < table.cutter_speed.size(); ++i) {
-    give(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i]);
+    give(table.cutter_speed[i], table.depth_of_cut[i], table.back_rake[i],
+         table.mud_pressure.empty() ? common_pressure : table.mud_pressure[i]);
   }
-  for (const double speed : study.grid.cutter_speeds) {
-    for (const double depth : study.grid.depths_of_cut) {
-      for (const double rake : study.grid.back_rakes) give(speed, depth, rake);
+  const Grid& grid = study.grid;
+  const std::vector<double> pressures =
+      grid.mud_pressures.empty() ? std::vector<double>{common_pressure} : grid.mud_pressures;
+  for (const double pressure : pressures) {
+    for (const double speed : grid.cutter_speeds) {
+      for (const double depth : grid.depths_of_cut) {
+        for (const double rake : grid.back_rakes) give(speed, depth, rake, pressure);
+      }
     }
   }
 }
@@ -237,6 +267,7 @@ Study read_study(const std::filesystem::path& path) {
   if (inside) leave_out_rock_file(sections);
   for (const base::Section& section : sections) file.fill(section);
   read_cases(file, study);
+  refuse_two_pressures(file, study);
   if (file.has("by_depth")) read_by_depth(file, study);
   file.refuse_unknown();
   if (has_repeats(study.seeds)) file.refuse("", "seeds", "each value may appear once");
@@ -264,9 +295,10 @@ namespace {
 std::vector<base::Section> describe_resolved(Study& study) {
   std::vector<base::Section> sections = describe_common(study);
   leave_out_rock_file(sections);
-  dem2d::leave_out_unused(sections, study.common);
+  if (!has_pressures(study)) dem2d::leave_out_unused(sections, study.common);
   const bool from_table = !study.table.cutter_speed.empty();
   sections.push_back(from_table ? describe(study.table) : describe(study.grid));
+  if (!has_pressures(study)) sections.back().fields.pop_back();  // texts of studies without them stay as they were
   if (study.by_depth) {
     sections.push_back(describe(*study.by_depth));
     for (const Size& size : sizes) {

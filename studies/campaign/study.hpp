@@ -1,7 +1,7 @@
 #pragma once
-/// What a `study.toml` says: cases (cutting speed, depth of cut, back rake) from a grid or a table, times a list of
-/// seeds. Cutter and sampling are common to all cases. Cut and bed are too, unless `[by_depth]` sizes them by the depth
-/// of each case, so that all cuts travel the same number of depths and their maxima compare.
+/// What a `study.toml` says: cases (cutting speed, depth of cut, back rake, pressure of the mud) from a grid or a
+/// table, times a list of seeds. Cutter and sampling are common to all cases. Cut and bed are too, unless `[by_depth]`
+/// sizes them by the depth of each case, so that all cuts travel the same number of depths and their maxima compare.
 ///
 /// A rock is made for each size of bed and seed, and serves every case of that size.
 
@@ -22,6 +22,7 @@ struct Grid {
   std::vector<double> cutter_speeds;  ///< [m/s]
   std::vector<double> depths_of_cut;  ///< [m]
   std::vector<double> back_rakes;     ///< [rad]
+  std::vector<double> mud_pressures;  ///< on the rock; empty: that of `Study::common` [Pa]
 };
 
 /// One case an index; no case twice.
@@ -29,6 +30,7 @@ struct Table {
   std::vector<double> cutter_speed;  ///< [m/s]
   std::vector<double> depth_of_cut;  ///< [m]
   std::vector<double> back_rake;     ///< [rad]
+  std::vector<double> mud_pressure;  ///< on the rock; empty: that of `Study::common` [Pa]
 };
 
 /// Sizes in depths of cut, each with the least it may be.
@@ -58,7 +60,7 @@ struct Study {
 
 /// One cut to be made.
 struct Job {
-  int case_number = 0;  ///< from 1, in the order of the table; of a grid: speed slowest, then depth, then rake
+  int case_number = 0;  ///< from 1, in the order of the table; of a grid: pressure slowest, then speed, depth, rake
   int seed = 0;         ///< of the rock
   dem2d::CutCase cut;   ///< of this case: speed, depth, rake and all sizes
 };

@@ -30,7 +30,8 @@ ReadCut cut_of(const std::filesystem::path& path) {
 }
 
 bool same_conditions(const FeatureRow& a, const FeatureRow& b) {
-  return a.cutter_speed == b.cutter_speed && a.depth_of_cut == b.depth_of_cut && a.back_rake == b.back_rake;
+  return a.cutter_speed == b.cutter_speed && a.depth_of_cut == b.depth_of_cut && a.back_rake == b.back_rake &&
+         a.mud_pressure == b.mud_pressure;
 }
 
 void take(std::vector<KnownCase>& cases, const std::string& file, CutForces forces, double mean_diameter) {

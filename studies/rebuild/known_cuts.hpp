@@ -24,8 +24,8 @@ struct KnownCase {
 double spacing(const CutForces& cut);
 
 /// A run.h5, a forces.h5, or a folder: its forces.h5, or without one its runs (`*.h5` and `runs/*.h5`). Cuts of the
-/// same speed, depth and rake in one file or folder are one case. Throws `base::InputError` for anything else, for a
-/// folder without a run, and for runs of one case that are sampled at different distances.
+/// same speed, depth, rake and mud pressure in one file or folder are one case. Throws `base::InputError` for anything
+/// else, for a folder without a run, and for runs of one case that are sampled at different distances.
 std::vector<KnownCase> read_known_cuts(const std::filesystem::path& path);
 
 }  // namespace bitrock::studies

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "base/units.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "studies/rebuild/constant_model.hpp"
+#include "surrogate/net/further_inputs.hpp"
 
 namespace bitrock::studies {
 
@@ -108,6 +110,13 @@ RebuiltForce rebuilt_force(const surrogate::Model& model, SignalMode mode, const
   return made;
 }
 
+/// Networks that ask for the pressure of the mud too, at that of the case.
+surrogate::Model at_pressure_of(const KnownCase& one, const surrogate::Model& model) {
+  if (surrogate::further_inputs(model).empty()) return model;
+  const double pressure = base::in_units(one.conditions().mud_pressure, base::MPa);
+  return surrogate::held(model, {{{.name = std::string(surrogate::pressure_input), .value = pressure}}});
+}
+
 Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, const RebuildOptions& options,
                    const base::ProgressCallback& progress) {
   Rebuilding all{.known = {}, .dem = {}, .comparisons = {}, .left_out = {}};
@@ -131,12 +140,14 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
     const surrogate::CutConditions conditions{.cutter_speed = one.conditions().cutter_speed,
                                               .depth_of_cut = one.conditions().depth_of_cut,
                                               .back_rake = one.conditions().back_rake};
-    for (const surrogate::Model* from : {&own, model}) {
+    const std::optional<surrogate::Model> asked =
+        model == nullptr ? std::nullopt : std::optional(at_pressure_of(one, *model));
+    for (const surrogate::Model* from : {&own, asked ? &*asked : nullptr}) {
       if (from == nullptr) continue;
       for (const SignalMode mode : options.modes) {
         if (mode == SignalMode::sawtooth && !surrogate::has_moments(*from)) continue;
         RebuiltCut comparison{
-            .known = i, .from_model = from == model, .mode = mode, .rebuilt = {}, .likeness = {}, .draws = {}};
+            .known = i, .from_model = from != &own, .mode = mode, .rebuilt = {}, .likeness = {}, .draws = {}};
         const RebuiltForce force =
             rebuilt_force(*from, mode, one, options.draws, seed_of(options, i), comparison.draws);
         comparison.rebuilt = portrait_of(force, samples_of(one), definition);
@@ -160,6 +171,13 @@ std::vector<std::string> warnings(const Rebuilding& rebuilding, const RebuildOpt
   if (outside > 0)
     all.push_back(fmt::format("{} of {} comparisons are outside the training range of {}", outside,
                               rebuilding.comparisons.size(), model_file));
+  const auto is_of_another_pressure = [&](const KnownCase& one) {
+    return base::in_units(one.conditions().mud_pressure, base::MPa) != model.provenance.fluid_pressure_MPa;
+  };
+  const auto others = std::ranges::count_if(rebuilding.known, is_of_another_pressure);
+  if (surrogate::further_inputs(model).empty() && others > 0)
+    all.push_back(fmt::format("{} of {} cases are of another mud pressure than the {:g} MPa {} has learnt", others,
+                              rebuilding.known.size(), model.provenance.fluid_pressure_MPa, model_file));
   if (options.modes == std::vector{runtime::SignalMode::sawtooth} && !surrogate::has_moments(model))
     all.push_back(
         fmt::format("{} has the article's ten outputs alone: no sawtooth force can be made of it (train it on a table "

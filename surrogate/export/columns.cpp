@@ -1,5 +1,7 @@
 #include "surrogate/export/columns.hpp"
 
+#include "surrogate/net/further_inputs.hpp"
+
 namespace bitrock::surrogate {
 
 namespace {
@@ -35,6 +37,7 @@ constexpr std::array<const char*, moment_count> moment_meanings{
 }  // namespace
 
 std::array<Column, input_count> condition_columns(const Model& model) {
+  require_no_further_inputs(model, "the model");
   std::array<Column, input_count> columns;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double si_per_unit = input_names[i].si_per_unit;

@@ -22,7 +22,8 @@ enum class OutputActivation {
 inline constexpr int widest_layer = 64;
 inline constexpr int most_layers = 16;  ///< entries of `layers`, input and output included
 
-inline constexpr int input_count = 3;            ///< speed, depth, rake
+inline constexpr int input_count = 3;            ///< speed, depth, rake: what changes while a bit drills
+inline constexpr int most_inputs = 16;           ///< of a model, further ones included (further_inputs.hpp)
 inline constexpr int article_output_count = 10;  ///< the article's outputs, which every model has
 inline constexpr int statistics_count = 5;       ///< of these, of one direction
 inline constexpr int moment_count = 7;           ///< outputs that follow the ten, all of them or none

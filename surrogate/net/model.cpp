@@ -7,11 +7,14 @@ namespace bitrock::surrogate {
 
 namespace {
 
-using Conditions = std::array<double, input_count>;  // in file units, in the order of `input_names`
+using Conditions = std::array<double, most_inputs>;  // in the order of the model; those it has not are 0
 
-Conditions in_file_units(const CutConditions& conditions) {
-  return {conditions.cutter_speed / input_names[0].si_per_unit, conditions.depth_of_cut / input_names[1].si_per_unit,
-          conditions.back_rake / input_names[2].si_per_unit};
+Conditions in_file_units(const CutConditions& conditions, std::span<const double> further) {
+  Conditions values{conditions.cutter_speed / input_names[0].si_per_unit,
+                    conditions.depth_of_cut / input_names[1].si_per_unit,
+                    conditions.back_rake / input_names[2].si_per_unit};
+  std::copy(further.begin(), further.end(), values.begin() + input_count);
+  return values;
 }
 
 bool inside(const Variable& variable, double value) {
@@ -57,11 +60,11 @@ OutputValues listed(const Prediction& prediction) {
   return values;
 }
 
-Prediction predict(const Model& model, const CutConditions& conditions) {
-  const Conditions values = in_file_units(conditions);
+Prediction predict(const Model& model, const CutConditions& conditions, std::span<const double> further) {
+  const Conditions values = in_file_units(conditions, further);
   Conditions scaled{};
   bool all_inside = true;
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     scaled[i] = (values[i] - model.inputs[i].offset) / model.inputs[i].scale;
     all_inside = all_inside && inside(model.inputs[i], values[i]);
   }

@@ -10,6 +10,7 @@
 #include <compare>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,12 @@ double to_network(const OutputModel& output, double value);
 /// The output for what the network gives; never negative, because amplitudes and counts are not.
 double from_network(const OutputModel& output, double given);
 
+/// A further input (further_inputs.hpp) and the value it is held at.
+struct HeldInput {
+  std::string name;    ///< ends in its unit
+  double value = 0.0;  ///< in the unit of the name
+};
+
 /// One of several tables that networks learnt from together.
 struct DataPart {
   std::string file;         ///< name without folder
@@ -78,7 +85,8 @@ struct Provenance {
   std::string data_fingerprint;          ///< `base::fingerprint_text` of the file
   std::vector<DataPart> data_parts;      ///< when it was several files; then the two above speak of all together
   std::optional<PeakCounting> counting;  ///< of the peaks; empty where the tables did not say
-  double fluid_pressure_MPa = 0.0;       ///< of the mud under which the cuts were made; 0: without
+  double fluid_pressure_MPa = 0.0;       ///< of the mud under which all cuts were made; 0: without, or an input
+  std::vector<HeldInput> held_inputs;    ///< further inputs of the model it was made from, and their values
   std::string initial_fingerprint;       ///< of the model file a warm start began from; empty: a random start
   std::uint64_t seed = 0;                ///< of initial weights and batch order
   std::uint64_t split_seed = 0;          ///< of the choice of test cases
@@ -93,6 +101,7 @@ struct Provenance {
   int smoothing = 0;                     ///< epochs over which the parameters were averaged; 0: not at all
   bool averaged = true;                  ///< learnt from the mean over the cuts of a case, not from the single cuts
   bool weighted = false;                 ///< errors weighted by the scatter of the data
+  int taught_terms = 0;                  ///< of the smooth formula that the networks learnt from; 0: from the cases
   std::vector<int> train_cases;          ///< ascending case numbers
   std::vector<int> validation_cases;     ///< ascending case numbers
   std::vector<int> test_cases;           ///< ascending case numbers
@@ -107,7 +116,7 @@ struct VariableName {
   double si_per_unit;     ///< SI value = value * si_per_unit
 };
 
-/// Of the networks, in order.
+/// Of the first three inputs of all networks, in order.
 inline constexpr std::array<VariableName, input_count> input_names{{
     {"cutter_speed_m_per_s", "m/s", si_per_input_unit[0]},
     {"depth_of_cut_mm", "mm", si_per_input_unit[1]},
@@ -145,7 +154,8 @@ inline bool is_count(std::size_t output) {
 
 /// The networks of one rock, and all that is needed to ask them.
 struct Model {
-  std::array<Variable, input_count> inputs;  ///< in the order of `input_names`
+  /// In the order of `input_names`, then further ones (further_inputs.hpp); 3 to `most_inputs`.
+  std::vector<Variable> inputs{std::vector<Variable>(input_count)};
   /// Ten or seventeen, in the order of `output_names`.
   std::vector<OutputModel> outputs{std::vector<OutputModel>(article_output_count)};
   std::string rock;       ///< which rock, for people
@@ -187,10 +197,11 @@ struct Prediction {
 /// The ten or seventeen numbers in the order of `output_names`.
 OutputValues listed(const Prediction& prediction);
 
+/// `further`: values of the inputs behind the first three, in their units and in the order of the model, one each.
 /// Takes no memory, does not throw, does not clamp: outside the training range it extrapolates and says so.
 /// Not-a-number in gives not-a-number out, flagged as outside. The model must come from `read_model` or `train`: its
 /// shapes are not checked again.
-Prediction predict(const Model& model, const CutConditions& conditions);
+Prediction predict(const Model& model, const CutConditions& conditions, std::span<const double> further = {});
 
 /// Of `evaluation.hpp`, for one input.
 Bounds widened_range(const Variable& input);

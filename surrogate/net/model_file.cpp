@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/json.hpp"
+#include "surrogate/net/further_inputs.hpp"
 #include "surrogate/net/json_place.hpp"
 #include "surrogate/net/layers.hpp"
 
@@ -99,6 +100,9 @@ OrderedJson provenance_json(const Provenance& provenance) {
                              {"sampling_um", counting.sampling_um}};
   }
   if (provenance.fluid_pressure_MPa > 0.0) json["fluid_pressure_MPa"] = provenance.fluid_pressure_MPa;
+  if (provenance.taught_terms > 0) json["taught_terms"] = provenance.taught_terms;
+  for (const HeldInput& held : provenance.held_inputs)
+    json["held_inputs"].push_back({{"name", held.name}, {"value", held.value}});
   if (provenance.data_parts.empty()) return json;
   OrderedJson parts = OrderedJson::array();
   for (const DataPart& part : provenance.data_parts)
@@ -123,12 +127,13 @@ OrderedJson curve_json(const std::vector<LearningPoint>& curve) {
 
 const std::vector<std::string> variable_keys{"name", "unit", "low", "high", "offset", "scale"};
 
-Variable read_variable(const JsonPlace& place, const VariableName& expected) {
+/// All but name and unit, which must be these.
+Variable read_variable(const JsonPlace& place, std::string_view name, std::string_view unit) {
   Variable variable;
   variable.name = place.at("name").text();
-  if (variable.name != expected.name) place.at("name").refuse(fmt::format("must be {} here", expected.name));
+  if (variable.name != name) place.at("name").refuse(fmt::format("must be {} here", name));
   variable.unit = place.at("unit").text();
-  if (variable.unit != expected.unit) place.at("unit").refuse(fmt::format("must be {}", expected.unit));
+  if (variable.unit != unit) place.at("unit").refuse(fmt::format("must be {}", unit));
   variable.low = place.at("low").number();
   variable.high = place.at("high").number();
   if (variable.high < variable.low) place.at("high").refuse(fmt::format("must be at least low = {}", variable.low));
@@ -138,6 +143,26 @@ Variable read_variable(const JsonPlace& place, const VariableName& expected) {
   return variable;
 }
 
+/// Speed, depth and rake, then further ones of names that differ.
+std::vector<Variable> read_inputs(const JsonPlace& place) {
+  const std::size_t count = place.list();
+  if (count < input_count || count > most_inputs)
+    place.refuse(fmt::format("must hold from {} to {} inputs", input_count, most_inputs));
+  std::vector<Variable> inputs;
+  for (std::size_t i = 0; i < count; ++i) {
+    const JsonPlace one = place.at(i);
+    one.only(variable_keys);
+    const std::string name = i < input_count ? std::string(input_names[i].name) : one.at("name").text();
+    if (i >= input_count && !is_further_input(name))
+      one.at("name").refuse(fmt::format("must be {}, or begin with {}", pressure_input, rock_input_begins));
+    for (const Variable& input : inputs) {
+      if (input.name == name) one.at("name").refuse("comes twice");
+    }
+    inputs.push_back(read_variable(one, name, i < input_count ? input_names[i].unit : unit_at_end(name)));
+  }
+  return inputs;
+}
+
 void read_parameters(const JsonPlace& list, int count, std::vector<double>& parameters) {
   list.list_of(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
@@ -145,7 +170,7 @@ void read_parameters(const JsonPlace& list, int count, std::vector<double>& para
   }
 }
 
-Network read_network(const JsonPlace& place) {
+Network read_network(const JsonPlace& place, std::size_t inputs) {
   Network network;
   const auto activation = output_activation(place.at("output_activation").text());
   if (!activation) place.at("output_activation").refuse("must be rectified, softplus or linear");
@@ -153,35 +178,35 @@ Network read_network(const JsonPlace& place) {
   network.layers = place.at("layers").whole_numbers();
   const std::string problem = layers_problem(network.layers);
   if (!problem.empty()) place.at("layers").refuse(problem);
-  if (network.layers.front() != input_count || network.layers.back() != 1) {
-    place.at("layers").refuse(fmt::format("must begin with {} inputs and end with 1 output", input_count));
+  if (network.layers.front() != static_cast<int>(inputs) || network.layers.back() != 1) {
+    place.at("layers").refuse(fmt::format("must begin with {} inputs and end with 1 output", inputs));
   }
   const JsonPlace weights = place.at("weights"), biases = place.at("biases");
   weights.list_of(network.layers.size() - 1);
   biases.list_of(network.layers.size() - 1);
   for (std::size_t k = 0; k + 1 < network.layers.size(); ++k) {
-    const int inputs = network.layers[k], outputs = network.layers[k + 1];
+    const int from = network.layers[k], to = network.layers[k + 1];
     const JsonPlace rows = weights.at(k);
-    rows.list_of(static_cast<std::size_t>(outputs));
-    for (std::size_t o = 0; o < static_cast<std::size_t>(outputs); ++o) {
-      read_parameters(rows.at(o), inputs, network.parameters);
+    rows.list_of(static_cast<std::size_t>(to));
+    for (std::size_t o = 0; o < static_cast<std::size_t>(to); ++o) {
+      read_parameters(rows.at(o), from, network.parameters);
     }
-    read_parameters(biases.at(k), outputs, network.parameters);
+    read_parameters(biases.at(k), to, network.parameters);
   }
   return network;
 }
 
-OutputModel read_output(const JsonPlace& place, const VariableName& expected) {
+OutputModel read_output(const JsonPlace& place, const VariableName& expected, std::size_t inputs) {
   std::vector<std::string> keys = variable_keys;
   keys.insert(keys.end(),
               {"log_reference", "restarts", "best_epoch", "output_activation", "layers", "weights", "biases"});
   place.only(keys);
   OutputModel output;
-  output.variable = read_variable(place, expected);
+  output.variable = read_variable(place, expected.name, expected.unit);
   output.log_reference = place.at("log_reference").number_from(0.0, largest_double);
   output.restarts = static_cast<int>(place.at("restarts").whole_up_to(largest_int));
   output.best_epoch = static_cast<int>(place.at("best_epoch").whole_up_to(largest_int));
-  output.network = read_network(place);
+  output.network = read_network(place, inputs);
   return output;
 }
 
@@ -193,7 +218,8 @@ Provenance read_provenance(const JsonPlace& place) {
               "starts",        "smoothing",        "averaged",
               "weighted",      "train_cases",      "validation_cases",
               "test_cases",    "choice",           "bitrock_version",
-              "data_parts",    "peak_counting",    "fluid_pressure_MPa"});
+              "data_parts",    "peak_counting",    "fluid_pressure_MPa",
+              "held_inputs",   "taught_terms"});
   constexpr std::uint64_t any_seed = std::numeric_limits<std::uint64_t>::max();
   Provenance provenance;
   provenance.data_file = place.at("data_file").text();
@@ -219,6 +245,16 @@ Provenance read_provenance(const JsonPlace& place) {
   }
   if (place.has("fluid_pressure_MPa"))  // models of cuts without mud are without
     provenance.fluid_pressure_MPa = place.at("fluid_pressure_MPa").number_from(0.0, largest_double);
+  if (place.has("taught_terms"))
+    provenance.taught_terms = static_cast<int>(place.at("taught_terms").whole_up_to(largest_int));
+  if (place.has("held_inputs")) {
+    const JsonPlace held = place.at("held_inputs");
+    for (std::size_t k = 0; k < held.list(); ++k) {
+      held.at(k).only({"name", "value"});
+      provenance.held_inputs.push_back(
+          {.name = held.at(k).at("name").text(), .value = held.at(k).at("value").number()});
+    }
+  }
   provenance.initial_fingerprint = place.at("initial_fingerprint").text();
   provenance.seed = place.at("seed").whole_up_to(any_seed);
   provenance.split_seed = place.at("split_seed").whole_up_to(any_seed);
@@ -292,11 +328,7 @@ Model model_from_text(std::string_view text, const std::string& name) {
 
   Model model;
   model.rock = root.at("rock").text();
-  root.at("inputs").list_of(input_count);
-  for (std::size_t i = 0; i < input_count; ++i) {
-    root.at("inputs").at(i).only(variable_keys);
-    model.inputs[i] = read_variable(root.at("inputs").at(i), input_names[i]);
-  }
+  model.inputs = read_inputs(root.at("inputs"));
   const JsonPlace outputs = root.at("outputs");
   // the seven behind the article's ten are there together or not at all
   const bool with_moments = outputs.list() > article_output_count;
@@ -304,7 +336,7 @@ Model model_from_text(std::string_view text, const std::string& name) {
   model.outputs.resize(outputs.list());
   std::vector<std::string> names;
   for (std::size_t i = 0; i < model.outputs.size(); ++i) {
-    model.outputs[i] = read_output(outputs.at(i), output_names[i]);
+    model.outputs[i] = read_output(outputs.at(i), output_names[i], model.inputs.size());
     model.outputs[i].learning_curve = read_curve(root.at("learning_curves").at(std::string(output_names[i].name)));
     names.emplace_back(output_names[i].name);
   }
@@ -315,6 +347,12 @@ Model model_from_text(std::string_view text, const std::string& name) {
 
 Model read_model(const std::filesystem::path& path) {
   return model_from_text(base::read_whole(path), path.string());
+}
+
+Model read_cut_model(const std::filesystem::path& path) {
+  Model model = read_model(path);
+  require_no_further_inputs(model, path.string());
+  return model;
 }
 
 void write_model(const std::filesystem::path& path, const Model& model) {

@@ -29,6 +29,9 @@ Model model_from_text(std::string_view text, const std::string& name);
 /// As `model_from_text`; also throws `base::InputError` when the file cannot be read.
 Model read_model(const std::filesystem::path& path);
 
+/// The same for who asks by speed, depth and rake alone; throws `InputError` for a model with further inputs too.
+Model read_cut_model(const std::filesystem::path& path);
+
 /// Throws `base::SimulationError` when the file cannot be written.
 void write_model(const std::filesystem::path& path, const Model& model);
 

@@ -14,6 +14,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "surrogate/net/further_inputs.hpp"
 
 namespace bitrock::surrogate {
 
@@ -129,15 +130,22 @@ base::Range range_of(std::size_t output) {
   return output == 10 || output == 12 ? base::between(-largest, largest) : not_negative();
 }
 
-TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seeds, std::size_t outputs) {
+/// A further input of one row.
+double further_cell(const base::CsvTable& table, const std::string& name, std::size_t row) {
+  if (name == pressure_input) return table.has(name) ? cell(table, name, row, not_negative()) : 0.0;
+  return cell(table, name, row, base::between(-largest, largest));
+}
+
+TrainingRow read_row(const base::CsvTable& table, std::size_t row, const TrainingData& data, std::size_t outputs) {
   constexpr double largest_exact = 0x1.0p53;  // beyond it a double skips whole numbers
   constexpr double rounding = 1e-9;           // of numbers written with ten digits
   TrainingRow read;
   read.line = table.lines[row];
   read.case_number = static_cast<int>(whole_cell(table, "case", row, std::numeric_limits<int>::max()));
-  if (has_seeds) read.seed = static_cast<long long>(whole_cell(table, "seed", row, largest_exact));
+  if (data.has_seeds) read.seed = static_cast<long long>(whole_cell(table, "seed", row, largest_exact));
   read.inputs = {cell(table, "cutter_speed_m_per_s", row, positive()), cell(table, "depth_of_cut_mm", row, positive()),
                  cell(table, "back_rake_deg", row, rake_range)};
+  for (const std::string& name : data.further) read.further.push_back(further_cell(table, name, row));
   read.cut_length = cell(table, "cut_length_m", row, positive());
   read.outputs.count = outputs;
   for (std::size_t i = 0; i < outputs; ++i) {
@@ -164,7 +172,7 @@ TrainingRow read_row(const base::CsvTable& table, std::size_t row, bool has_seed
         "before it falls to 1/e: are the columns swapped?)",
         table.source, read.line));
   }
-  if (!has_seeds) read_errors(table, row, read);
+  if (!data.has_seeds) read_errors(table, row, read);
   return read;
 }
 
@@ -184,6 +192,12 @@ void check_rows_together(const base::CsvTable& table, const TrainingData& data) 
       throw base::InputError(fmt::format("{}:{}: case {} has {} = {} (line {} has {}; all rows of a case must agree)",
                                          table.source, row.line, row.case_number, input_names[i].name, row.inputs[i],
                                          seen.line, seen.inputs[i]));
+    }
+    for (std::size_t i = 0; i < row.further.size(); ++i) {
+      if (row.further[i] == seen.further[i]) continue;
+      throw base::InputError(fmt::format("{}:{}: case {} has {} = {} (line {} has {}; all rows of a case must agree)",
+                                         table.source, row.line, row.case_number, data.further[i], row.further[i],
+                                         seen.line, seen.further[i]));
     }
   }
   if (first.size() < 2) {
@@ -243,18 +257,42 @@ std::optional<PeakCounting> counting_of(const base::CsvTable& table) {
   return first;
 }
 
-/// Of the mud, the same for all rows.
-double fluid_pressure_of(const base::CsvTable& table) {
-  if (!table.has("fluid_pressure_MPa")) return 0.0;
-  const auto at = [&table](std::size_t row) { return cell(table, "fluid_pressure_MPa", row, not_negative()); };
-  for (std::size_t row = 1; row < table.rows(); ++row) {
-    if (at(row) == at(0)) continue;
-    throw base::InputError(
-        fmt::format("{}:{}: fluid_pressure_MPa = {:g} (line {}: {:g}; the pressure is no input of the networks: train "
-                    "some for each)",
-                    table.source, table.lines[row], at(row), table.lines[0], at(0)));
+/// The columns of further inputs, the pressure first.
+std::vector<std::string> further_columns(const base::CsvTable& table) {
+  std::vector<std::string> names{std::string(pressure_input)};
+  for (const std::string& name : table.names) {
+    if (is_further_input(name) && name != pressure_input) names.push_back(name);
   }
-  return at(0);
+  constexpr std::size_t most = most_inputs - input_count;
+  if (names.size() > most) {
+    throw base::InputError(
+        fmt::format("{}: {} columns that begin with {} (at most {} further inputs can be learnt from)", table.source,
+                    names.size() - 1, rock_input_begins, most - 1));
+  }
+  return names;
+}
+
+/// Properties of the rock stand in both tables, in any order.
+void require_same_further(const TrainingData& a, const TrainingData& b) {
+  for (const auto& [from, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    for (const std::string& name : from->further) {
+      if (std::ranges::find(other->further, name) != other->further.end()) continue;
+      throw base::InputError(
+          fmt::format("{} has a column {}, {} has none (a property of the rock must stand in all "
+                      "tables, or in none)",
+                      from->file, name, other->file));
+    }
+  }
+}
+
+/// A row of `from` with its further inputs in the order of `all`.
+TrainingRow reordered(TrainingRow row, const TrainingData& from, const TrainingData& all) {
+  const std::vector<double> values = row.further;
+  for (std::size_t i = 0; i < all.further.size(); ++i) {
+    const auto place = std::ranges::find(from.further, all.further[i]) - from.further.begin();
+    row.further[i] = values[static_cast<std::size_t>(place)];
+  }
+  return row;
 }
 
 }  // namespace
@@ -282,10 +320,9 @@ TrainingData read_training_data(const std::filesystem::path& path) {
   data.fingerprint = base::fingerprint_text(base::read_whole(path));
   data.has_seeds = table.has("seed");
   data.counting = counting_of(table);
-  data.fluid_pressure_MPa = fluid_pressure_of(table);
+  data.further = further_columns(table);
   const std::size_t outputs = has_moments(table) ? most_outputs : article_output_count;
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    data.rows.push_back(read_row(table, row, data.has_seeds, outputs));
+  for (std::size_t row = 0; row < table.rows(); ++row) data.rows.push_back(read_row(table, row, data, outputs));
   check_rows_together(table, data);
   return data;
 }
@@ -298,7 +335,7 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
                    .has_seeds = tables.front().has_seeds,
                    .rows = {},
                    .counting = tables.front().counting,
-                   .fluid_pressure_MPa = tables.front().fluid_pressure_MPa};
+                   .further = tables.front().further};
   std::size_t outputs = most_outputs;
   for (const TrainingData& table : tables) outputs = std::min(outputs, output_count(table));
   std::string fingerprints;
@@ -318,12 +355,7 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
                       tables.front().file, table.file, in_words(all.counting), in_words(table.counting)));
     }
     if (!all.counting) all.counting = table.counting;
-    if (table.fluid_pressure_MPa != tables.front().fluid_pressure_MPa) {
-      throw base::InputError(
-          fmt::format("{} and {}: fluid_pressure_MPa = {:g} and {:g} (the pressure is no input of the networks: train "
-                      "some for each)",
-                      tables.front().file, table.file, tables.front().fluid_pressure_MPa, table.fluid_pressure_MPa));
-    }
+    require_same_further(tables.front(), table);
     for (const DataPart& part : all.parts) {
       if (part.fingerprint == table.fingerprint)
         throw base::InputError(fmt::format("{} and {} hold the same (name each table once)", part.file, table.file));
@@ -332,7 +364,8 @@ TrainingData joined(const std::vector<TrainingData>& tables) {
     all.file += (all.file.empty() ? "" : " + ") + table.file;
     fingerprints += table.fingerprint + "\n";
     int highest = 0;
-    for (TrainingRow row : table.rows) {
+    for (const TrainingRow& own : table.rows) {
+      TrainingRow row = reordered(own, table, all);
       highest = std::max(highest, row.case_number);
       if (row.case_number > std::numeric_limits<int>::max() - first_case)
         throw base::InputError(
@@ -365,6 +398,22 @@ TrainingData averaged(const TrainingData& data) {
 
 std::size_t output_count(const TrainingData& data) {
   return data.rows.empty() ? article_output_count : data.rows.front().outputs.size();
+}
+
+std::vector<std::size_t> varying_further(const TrainingData& data) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < data.further.size(); ++i) {
+    const auto differs = [&](const TrainingRow& row) { return row.further[i] != data.rows.front().further[i]; };
+    if (std::ranges::any_of(data.rows, differs)) places.push_back(i);
+  }
+  return places;
+}
+
+std::optional<double> one_pressure(const TrainingData& data) {
+  if (data.further.empty()) return 0.0;
+  const std::vector<std::size_t> varying = varying_further(data);
+  if (!varying.empty() && varying.front() == 0) return std::nullopt;
+  return data.rows.front().further.front();
 }
 
 CutConditions conditions_of(const TrainingRow& row) {

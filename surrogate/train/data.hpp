@@ -21,6 +21,7 @@ struct TrainingRow {
   int case_number = 0;                       ///< one speed, depth and rake
   long long seed = 0;                        ///< of the rock; 0 when the file has no seeds
   std::array<double, input_count> inputs{};  ///< [m/s], [mm], [deg]
+  std::vector<double> further{};             ///< values of `TrainingData::further`, in their units
   double cut_length = 0.0;                   ///< [m]
   Outputs outputs{};                         ///< in the units of `output_names`; peak counts over the length of cut
   int cuts = 1;                              ///< of which this is the mean
@@ -36,8 +37,10 @@ struct TrainingData {
   std::vector<TrainingRow> rows;           ///< of all tables
   std::vector<DataPart> parts{};           ///< when it was several files
   std::optional<PeakCounting> counting{};  ///< empty where the tables do not say
-  double fluid_pressure_MPa = 0.0;         ///< of the mud on the rock; 0: without
-  bool moments_left_out = false;           ///< some of several tables have more than the article's ten outputs
+  /// Further inputs that the table has, whether they vary or not: the pressure of the mud, which is 0 where the table
+  /// does not say, then columns that begin with rock_, in the order of the file.
+  std::vector<std::string> further{};
+  bool moments_left_out = false;  ///< some of several tables have more than the article's ten outputs
 };
 
 /// Needs the columns case, cutter_speed_m_per_s, depth_of_cut_mm, back_rake_deg, cut_length_m, and for x and y
@@ -49,8 +52,9 @@ struct TrainingData {
 /// number, speed, depth or length of cut not above 0, a rake outside -90 to 90 degrees, negative amplitudes or counts,
 /// numbers beyond 1e12 or below 1e-12, a mean height of peaks above the highest, rows whose peaks were counted in
 /// different ways (columns peak_smoothing_um, peak_min_prominence, peak_min_distance_mm, sampling_um), cuts under
-/// different mud pressures (column fluid_pressure_MPa), a case and seed that come twice (without seeds: a case that
-/// comes twice), one case with two conditions, fewer than two cases.
+/// more than thirteen further inputs, a case and seed that come twice (without seeds: a case that
+/// comes twice), one case with two conditions, fewer than two cases. Further inputs of a model (further_inputs.hpp) are
+/// the columns fluid_pressure_MPa and rock_..., where they vary over the rows.
 TrainingData read_training_data(const std::filesystem::path& path);
 
 /// The same of several files, `joined`.
@@ -58,8 +62,8 @@ TrainingData read_training_data(const std::vector<std::string>& paths);
 
 /// Several tables as one: the cases of a later table get numbers above those of the earlier ones. One table stays what
 /// it is. Throws `InputError` when there is none, when one comes twice, or when some have seeds and others have not, or
-/// when peaks were counted in different ways or cuts made under different mud pressures (a table that does not say is
-/// taken for the article's). Outputs that not all tables have are left out.
+/// when peaks were counted in different ways (a table that does not say is taken for the article's), or when one has
+/// properties of the rock that another has not. Outputs that not all tables have are left out.
 TrainingData joined(const std::vector<TrainingData>& tables);
 
 /// Whether peaks were counted in one way, as far as 9 digits tell. Who does not say is taken for the article's way,
@@ -71,6 +75,12 @@ std::string in_words(const std::optional<PeakCounting>& counting);
 /// One row a case: the mean over its rows, each weighing as many cuts as it is the mean of, and the standard error of
 /// that mean (over the rows when there are several, the file's own otherwise).
 TrainingData averaged(const TrainingData& data);
+
+/// The further inputs that vary over the rows, as places in `TrainingData::further`: those the networks learn from.
+std::vector<std::size_t> varying_further(const TrainingData& data);
+
+/// The pressure of the mud, the same over all rows; nothing when it varies.
+std::optional<double> one_pressure(const TrainingData& data);
 
 /// Ten or seventeen: all rows have the same number.
 std::size_t output_count(const TrainingData& data);

@@ -37,9 +37,9 @@ void add_if_any(const Places& places, const std::string& what, std::vector<std::
 
 Places repeated_conditions(const TrainingData& data) {
   Places places;
-  std::map<std::array<double, input_count>, int> case_of;
+  std::map<std::pair<std::array<double, input_count>, std::vector<double>>, int> case_of;
   for (const TrainingRow& row : data.rows) {
-    const auto [known, is_new] = case_of.emplace(row.inputs, row.case_number);
+    const auto [known, is_new] = case_of.emplace(std::pair(row.inputs, row.further), row.case_number);
     if (is_new || known->second == row.case_number) continue;
     places.add(fmt::format("case {} as case {}", row.case_number, known->second));
   }
@@ -115,8 +115,9 @@ std::vector<std::string> warnings(const TrainingData& data) {
 std::vector<std::string> learning_warnings(const TrainingData& data, const TrainOptions& options) {
   std::vector<std::string> all;
   const std::size_t cases = case_numbers(data).size();
-  const std::size_t parameters = parameter_count(options.layers);
-  if (options.init_from == nullptr && cases < parameters) {
+  const std::vector<LearntFurther> further = learnt_further(data);
+  const std::size_t parameters = parameter_count(with_further(options.layers, further.size()));
+  if (options.init_from == nullptr && !options.taught && cases < parameters) {
     all.push_back(
         fmt::format("{}: {} cases for networks of {} parameters each: they may meet every case and be far off between "
                     "them (cut more conditions, or start from the networks of a like rock with --init-from)",
@@ -139,8 +140,9 @@ std::vector<std::string> learning_warnings(const TrainingData& data, const Train
   return all;
 }
 
-void require_varied_inputs(std::span<const TrainingRow> train_rows, const std::string& file) {
-  const auto inputs = input_variables(train_rows);
+void require_varied_inputs(std::span<const TrainingRow> train_rows, std::span<const LearntFurther> further,
+                           const std::string& file) {
+  const std::vector<Variable> inputs = input_variables(train_rows, further);
   if (std::any_of(inputs.begin(), inputs.end(), varies)) return;
   std::string seen;
   for (const Variable& input : inputs)

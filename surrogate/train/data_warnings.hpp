@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "surrogate/train/data.hpp"
+#include "surrogate/train/scaling.hpp"
 #include "surrogate/train/train.hpp"
 
 namespace bitrock::surrogate {
@@ -21,6 +22,7 @@ std::vector<std::string> learning_warnings(const TrainingData& data, const Train
 
 /// Throws `base::InputError` when no input varies over the rows: then every network could only learn one number, and
 /// most random starts give none.
-void require_varied_inputs(std::span<const TrainingRow> train_rows, const std::string& file);
+void require_varied_inputs(std::span<const TrainingRow> train_rows, std::span<const LearntFurther> further,
+                           const std::string& file);
 
 }  // namespace bitrock::surrogate

@@ -67,13 +67,14 @@ struct EpochBuffers {
 void run_epoch(const LearningRows& rows, std::span<const std::size_t> order, std::size_t batch, const AdamOptions& adam,
                AdamState& state, EpochBuffers& buffers, Network& network) {
   buffers.gradient.resize(network.parameters.size());
+  const auto width = static_cast<std::size_t>(network.layers.front());
   for (std::size_t first = 0; first < order.size(); first += batch) {
     buffers.inputs.clear();
     buffers.targets.clear();
     buffers.weights.clear();
     for (const std::size_t row : order.subspan(first, std::min(batch, order.size() - first))) {
-      const auto from = rows.inputs.begin() + static_cast<std::ptrdiff_t>(row * input_count);
-      buffers.inputs.insert(buffers.inputs.end(), from, from + input_count);
+      const auto from = rows.inputs.begin() + static_cast<std::ptrdiff_t>(row * width);
+      buffers.inputs.insert(buffers.inputs.end(), from, from + static_cast<std::ptrdiff_t>(width));
       buffers.targets.push_back(rows.targets[row]);
       if (!rows.weights.empty()) buffers.weights.push_back(rows.weights[row]);
     }
@@ -157,7 +158,7 @@ void smooth(int smoothing, int epoch, std::span<const double> parameters, std::s
 }
 
 bool is_dead(const Network& network, std::span<const double> inputs, std::span<const double> targets) {
-  constexpr std::size_t width = input_count;
+  const auto width = static_cast<std::size_t>(network.layers.front());
   const auto all_zero = [](double value) { return value == 0.0; };
   const auto all_equal = [](std::span<const double> values) {
     return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();

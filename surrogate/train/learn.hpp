@@ -14,7 +14,7 @@ namespace bitrock::surrogate {
 
 /// Scaled rows of one side of the split, for one output.
 struct LearningRows {
-  std::vector<double> inputs;   ///< (R x 3)
+  std::vector<double> inputs;   ///< (R x n[0])
   std::vector<double> targets;  ///< (R)
   std::vector<double> weights;  ///< (R), or empty: all 1
 
@@ -41,7 +41,7 @@ inline constexpr int most_dead_trainings = 10;
 inline constexpr int most_curve_points = 200;
 
 /// Whether the network is dead, as above; one that gives zero everywhere is so too for equal targets above zero. Rows
-/// as in `Batch`: `inputs` (R x 3) and `targets` (R), scaled. Never true when all targets are zero.
+/// as in `Batch`: `inputs` (R x n[0]) and `targets` (R), scaled. Never true when all targets are zero.
 bool is_dead(const Network& network, std::span<const double> inputs, std::span<const double> targets);
 
 /// Epochs of this output that are over, the skipped ones of an early stop among them.

@@ -9,6 +9,8 @@
 #include <span>
 
 #include "base/errors.hpp"
+#include "surrogate/net/further_inputs.hpp"
+#include "surrogate/train/scaling.hpp"
 #include "surrogate/train/scatter.hpp"
 #include "surrogate/train/split.hpp"
 
@@ -33,12 +35,13 @@ CaseRole role_of(const Model& model, std::int64_t number, CaseNumbers numbers) {
   return contains(model.provenance.test_cases, case_number) ? CaseRole::test : CaseRole::unseen;
 }
 
-ParityPoint parity_point(const TrainingRow& mean, CaseRole role, const ScatterLaw& law, double prediction,
-                         std::size_t output) {
+ParityPoint parity_point(const TrainingRow& mean, CaseRole role, const ScatterLaw& law, std::vector<double> further,
+                         double prediction, std::size_t output) {
   const double value = mean.outputs[output];
   ParityPoint point{.case_number = mean.case_number,
                     .role = role,
                     .inputs = mean.inputs,
+                    .further = std::move(further),
                     .cuts = mean.cuts,
                     .dem_mean = value,
                     .dem_standard_error = mean.standard_errors ? (*mean.standard_errors)[output] : 0.0,
@@ -196,6 +199,21 @@ void compare(OutputParity& output) {
       held_out.empty() ? judged(output, output.points, output.all) : judged(output, held_out, output.held_out);
 }
 
+/// Networks that do not ask for the pressure know one alone.
+void require_pressure(const Model& model, const TrainingData& data) {
+  for (const Variable& input : further_inputs(model)) {
+    if (input.name == pressure_input) return;
+  }
+  for (const TrainingRow& row : data.rows) {
+    const double pressure = row.further.empty() ? 0.0 : row.further.front();
+    if (pressure == model.provenance.fluid_pressure_MPa) continue;
+    throw base::InputError(fmt::format(
+        "{}:{}: cut under {} = {:g}, and the networks have learnt from cuts under {:g} (the pressure is no input of "
+        "theirs)",
+        data.file, row.line, pressure_input, pressure, model.provenance.fluid_pressure_MPa));
+  }
+}
+
 }  // namespace
 
 Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers) {
@@ -206,14 +224,9 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
                     "make the table by the same definition with bitrock campaign features, or train anew)",
                     data.file, in_words(data.counting), in_words(model.provenance.counting)));
   }
-  if (model.provenance.fluid_pressure_MPa != data.fluid_pressure_MPa) {
-    throw base::InputError(
-        fmt::format("{}: cut under fluid_pressure_MPa = {:g}, and the networks have learnt from cuts under {:g} (the "
-                    "pressure is no "
-                    "input of theirs)",
-                    data.file, data.fluid_pressure_MPa, model.provenance.fluid_pressure_MPa));
-  }
-  Parity result;
+  const std::vector<LearntFurther> further = learnt_further(model, data);
+  require_pressure(model, data);
+  Parity result{.inputs = model.inputs};
   const DataPart* part = part_of(model, data);
   const std::int64_t first_case = part == nullptr ? 0 : part->first_case;
   result.same_data = part != nullptr || data.fingerprint == model.provenance.data_fingerprint;
@@ -223,7 +236,8 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
   result.law_degrees = law.degrees_of_freedom;
   for (const TrainingRow& mean : means.rows) {
     const CaseRole role = role_of(model, mean.case_number + first_case, numbers);
-    const Prediction prediction = predict(model, conditions_of(mean));
+    const std::vector<double> values = further_values(mean, further);
+    const Prediction prediction = predict(model, conditions_of(mean), values);
     if (is_held_out(role)) {
       result.has_held_out = true;
       if (!prediction.inside_training_range) ++result.outside_training_range;
@@ -235,7 +249,7 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
           fmt::format("the model has no finite answer for {} of case {}", output_names[i].name, mean.case_number));
     }
     for (std::size_t i = 0; i < result.outputs.size(); ++i) {
-      result.outputs[i].points.push_back(parity_point(mean, role, law, predictions[i], i));
+      result.outputs[i].points.push_back(parity_point(mean, role, law, values, predictions[i], i));
     }
   }
   for (std::size_t i = 0; i < result.outputs.size(); ++i) {

@@ -33,6 +33,7 @@ struct ParityPoint {
   int case_number = 0;                       ///< one speed, depth and rake
   CaseRole role = CaseRole::unseen;          ///< what it was to the training
   std::array<double, input_count> inputs{};  ///< in the units of `input_names`
+  std::vector<double> further{};             ///< of the model's inputs behind these, in their units
   int cuts = 0;                              ///< averaged
   double dem_mean = 0.0;                     ///< mean over these cuts
   double dem_standard_error = 0.0;           ///< of that mean, as seen; 0 when not known
@@ -84,6 +85,7 @@ struct Parity {
   bool has_held_out = false;          ///< verdicts rest on held-out cases
   int law_degrees = 0;                ///< cuts beyond the first of every case: what the law of scatter was found from
   int outside_training_range = 0;     ///< held-out cases where the networks extrapolate
+  std::vector<Variable> inputs;       ///< of the model: speed, depth, rake, further ones
   std::vector<OutputParity> outputs;  ///< what both model and data have: ten or seventeen
 };
 

@@ -8,8 +8,9 @@
 /// zero (outputs) gets scale 1.
 /// **Source** [BitRock2026, sec. 3.2] says only that the data were scaled.
 
-#include <array>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "surrogate/net/model.hpp"
 #include "surrogate/train/data.hpp"
@@ -19,8 +20,24 @@ namespace bitrock::surrogate {
 /// Whether its range is wider than the rounding of its numbers.
 bool varies(const Variable& input);
 
-/// Both need at least one row.
-std::array<Variable, input_count> input_variables(std::span<const TrainingRow> train_rows);
+/// A further input that is learnt from.
+struct LearntFurther {
+  std::string name;       ///< of its column
+  std::size_t place = 0;  ///< in `TrainingRow::further`
+};
+
+/// Those of the data that vary, in the order of the data.
+std::vector<LearntFurther> learnt_further(const TrainingData& data);
+
+/// Those that the model has. Throws `base::InputError` when the data lack one (a pressure they never lack).
+std::vector<LearntFurther> learnt_further(const Model& model, const TrainingData& data);
+
+/// Speed, depth and rake, then these; with `output_scaling` it needs at least one row.
+std::vector<Variable> input_variables(std::span<const TrainingRow> train_rows,
+                                      std::span<const LearntFurther> further = {});
+
+/// The values of a row for these, as `predict` wants them.
+std::vector<double> further_values(const TrainingRow& row, std::span<const LearntFurther> further);
 
 /// Output number `output` without its network; `log_targets` chooses y_0, the smallest positive value.
 OutputModel output_scaling(std::span<const TrainingRow> train_rows, std::size_t output, bool log_targets);

@@ -8,7 +8,9 @@
 #include "base/errors.hpp"
 #include "base/random.hpp"
 #include "surrogate/train/baseline.hpp"
+#include "surrogate/train/scaling.hpp"
 #include "surrogate/train/scatter.hpp"
+#include "surrogate/train/smooth_formula.hpp"
 
 namespace bitrock::surrogate {
 
@@ -40,13 +42,18 @@ std::vector<Outputs> deviations(const TrainingData& data, const TrainingData& me
                                 const base::ProgressCallback& progress) {
   const std::vector<TrainingRow> left_out = rows_of(means.rows, split.test_cases);
   std::vector<Outputs> predicted;
-  if (candidate.layers.empty()) {
+  const std::vector<LearntFurther> further = learnt_further(data);
+  if (candidate.layers.empty() && candidate.degree > 0) {
+    const SmoothFormula formula = fit_formula(rows_of(means.rows, split.train_cases), further, candidate.degree);
+    for (const TrainingRow& row : left_out) predicted.push_back(predict(formula, row));
+  } else if (candidate.layers.empty()) {
     const Baseline baseline = fit_baseline(rows_of(means.rows, split.train_cases));
     for (const TrainingRow& row : left_out) predicted.push_back(predict(baseline, row));
   } else {
     take_kind(candidate, options);
     const Model model = train_on(data, split, options, progress);
-    for (const TrainingRow& row : left_out) predicted.push_back(listed(predict(model, conditions_of(row))));
+    for (const TrainingRow& row : left_out)
+      predicted.push_back(listed(predict(model, conditions_of(row), further_values(row, further))));
   }
   for (std::size_t i = 0; i < left_out.size(); ++i) {
     for (std::size_t o = 0; o < predicted[i].size(); ++o) predicted[i][o] -= left_out[i].outputs[o];
@@ -132,6 +139,7 @@ void take_kind(const Candidate& candidate, TrainOptions& options) {
   options.layers = candidate.layers;
   options.output = candidate.output;
   options.log_targets = candidate.log_targets;
+  options.taught = candidate.taught;
 }
 
 std::vector<Candidate> usual_candidates() {
@@ -147,6 +155,11 @@ std::vector<Candidate> usual_candidates() {
            .layers = wider,
            .output = OutputActivation::linear,
            .log_targets = true},
+          {.name = "3-4-6-3-1, taught by a formula", .layers = article, .taught = true},
+          {.name = "3-8-12-6-1, taught by a formula", .layers = wide, .taught = true},
+          {.name = "3-16-16-1, taught by a formula", .layers = wider, .taught = true},
+          {.name = "smooth formula of degree 3", .layers = {}, .degree = 3},
+          {.name = "smooth formula of degree 2", .layers = {}, .degree = 2},
           {.name = "formula: depth or 1/depth times a parabola of the rake", .layers = {}}};
 }
 

@@ -25,15 +25,18 @@ namespace bitrock::surrogate {
 /// One kind of network, or a formula.
 struct Candidate {
   std::string name;                                       ///< for people
-  std::vector<int> layers;                                ///< empty: the formula of `baseline.hpp`
+  std::vector<int> layers;                                ///< empty: a formula
   OutputActivation output = OutputActivation::rectified;  ///< of the last layer
   bool log_targets = false;                               ///< learns logarithms
+  bool taught = false;                                    ///< learns from a smooth formula (`taught_rows.hpp`)
+  int degree = 0;  ///< without layers: of the smooth formula (`smooth_formula.hpp`); 0: that of `baseline.hpp`
 };
 
 /// Networks of this kind are trained with the options.
 void take_kind(const Candidate& candidate, TrainOptions& options);
 
-/// The article's network first, then wider ones, other outputs, logarithms, both, and the formula.
+/// The article's network first, then wider ones, other outputs, logarithms, both, networks that a smooth formula
+/// teaches, and formulas by themselves.
 std::vector<Candidate> usual_candidates();
 
 /// What the measuring of a candidate gave.
@@ -59,10 +62,10 @@ struct Search {
 inline constexpr double gain_asked_for = 3.0;
 
 /// Compares the candidates on the training cases of the split that `train` would draw with the same options; layers,
-/// output and log_targets of the options are not looked at, everything else is. The first candidate is kept unless
-/// another network is better beyond the scatter; of several, the one with the least error. Formulas are never chosen.
-/// The same bits for any number of threads. Throws `base::InputError` for fewer cases than folds, fewer than two folds,
-/// data without known scatter, and as `train` does.
+/// output, log_targets and taught of the options are not looked at, everything else is. The first candidate is kept
+/// unless another network is better beyond the scatter; of several, the one with the least error. Formulas are never
+/// chosen. The same bits for any number of threads. Throws `base::InputError` for fewer cases than folds, fewer than
+/// two folds, data without known scatter, and as `train` does.
 Search search(const TrainingData& data, const TrainOptions& options, const std::vector<Candidate>& candidates,
               int folds, const base::ProgressCallback& progress = {});
 

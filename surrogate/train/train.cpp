@@ -12,11 +12,13 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
+#include "surrogate/net/further_inputs.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "surrogate/train/data_warnings.hpp"
 #include "surrogate/train/learn.hpp"
 #include "surrogate/train/scaling.hpp"
 #include "surrogate/train/scatter.hpp"
+#include "surrogate/train/taught_rows.hpp"
 
 namespace bitrock::surrogate {
 
@@ -41,18 +43,35 @@ class Progress {
   std::vector<int> done_;
 };
 
+/// What is learnt from beside speed, depth and rake: what varies, or in a warm start what the model has.
+std::vector<LearntFurther> further_of(const TrainingData& data, const TrainOptions& options) {
+  const std::vector<LearntFurther> varying = learnt_further(data);
+  if (options.init_from == nullptr) return varying;
+  for (const LearntFurther& one : varying) {
+    const auto is_it = [&one](const Variable& input) { return input.name == one.name; };
+    if (std::ranges::any_of(further_inputs(*options.init_from), is_it)) continue;
+    throw base::InputError(
+        fmt::format("{}: {} varies, but the model to start from knows no such input (train without "
+                    "a start model)",
+                    data.file, one.name));
+  }
+  return learnt_further(*options.init_from, data);
+}
+
 /// The model before learning: names, ranges, scaling, and in a warm start the networks.
-Model start_model(const TrainOptions& options, std::span<const TrainingRow> train_rows) {
+Model start_model(const TrainOptions& options, std::span<const TrainingRow> train_rows,
+                  std::span<const LearntFurther> further) {
   Model model = options.init_from == nullptr ? Model{} : *options.init_from;
   const bool warm = options.init_from != nullptr;
-  const auto inputs = input_variables(train_rows);
-  for (std::size_t i = 0; i < input_count; ++i) {
+  const std::vector<Variable> inputs = input_variables(train_rows, further);
+  model.inputs.resize(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
     model.inputs[i] = warm ? with_wider_range(model.inputs[i], inputs[i]) : inputs[i];
   }
   if (!warm) model.outputs.resize(train_rows.front().outputs.size());
   for (std::size_t i = 0; i < model.outputs.size(); ++i) {
     OutputModel output = output_scaling(train_rows, i, options.log_targets);
-    output.network = {.layers = options.layers, .output = options.output};
+    output.network = {.layers = with_further(options.layers, further.size()), .output = options.output};
     if (warm) {
       model.outputs[i].variable = with_wider_range(model.outputs[i].variable, output.variable);
     } else {
@@ -64,10 +83,13 @@ Model start_model(const TrainOptions& options, std::span<const TrainingRow> trai
 }
 
 /// The rows of one side of the split, for one output.
-LearningRows learning_rows(const Model& model, std::size_t output, std::span<const TrainingRow> rows) {
+LearningRows learning_rows(const Model& model, std::size_t output, std::span<const TrainingRow> rows,
+                           std::span<const LearntFurther> further) {
   LearningRows result;
   for (const TrainingRow& row : rows) {
     for (std::size_t i = 0; i < input_count; ++i) result.inputs.push_back(scaled(model.inputs[i], row.inputs[i]));
+    for (std::size_t k = 0; k < further.size(); ++k)
+      result.inputs.push_back(scaled(model.inputs[input_count + k], row.further[further[k].place]));
     result.targets.push_back(to_network(model.outputs[output], row.outputs[output]));
   }
   return result;
@@ -76,6 +98,7 @@ LearningRows learning_rows(const Model& model, std::size_t output, std::span<con
 /// A split of the data into rows.
 struct Sides {
   std::vector<TrainingRow> train, validation, test;
+  std::vector<LearntFurther> further;  ///< inputs behind the first three
 };
 
 /// Weights of all sides by the law of scatter: inverse variance of what the network learns, mean 1 over the training
@@ -105,8 +128,9 @@ void weigh(const ScatterLaw& law, const Model& model, std::size_t output, const 
 
 LearningTask learning_task(const TrainOptions& options, const ScatterLaw& law, const Model& start, std::size_t output,
                            const Sides& sides) {
-  LearningTask task{learning_rows(start, output, sides.train), learning_rows(start, output, sides.validation),
-                    learning_rows(start, output, sides.test)};
+  LearningTask task{learning_rows(start, output, sides.train, sides.further),
+                    learning_rows(start, output, sides.validation, sides.further),
+                    learning_rows(start, output, sides.test, sides.further)};
   if (options.weighted && law.phi[output] > 0.0) weigh(law, start, output, sides, task);
   return task;
 }
@@ -124,6 +148,14 @@ void train_outputs(const TrainOptions& options, const ScatterLaw& law, const Sid
   });
 }
 
+/// Puts what a smooth formula through the training cases says in their place; returns its number of terms.
+std::size_t teach(const TrainingData& means, const Split& split, Sides& sides) {
+  const std::vector<TrainingRow> cases = rows_of(means.rows, split.train_cases);
+  const SmoothFormula formula = fit_formula(cases, sides.further);
+  sides.train = taught_rows(formula, cases);
+  return formula.terms();
+}
+
 /// The training cases again, into those to learn from and those that only say when to stop (`test_cases`).
 Split validation_split(const Split& split, const TrainOptions& options, std::uint64_t split_seed) {
   if (options.validation == 0.0) return {split.train_cases, {}};
@@ -132,6 +164,11 @@ Split validation_split(const Split& split, const TrainOptions& options, std::uin
 }
 
 }  // namespace
+
+std::vector<int> with_further(std::vector<int> layers, std::size_t further) {
+  layers.front() += static_cast<int>(further);
+  return layers;
+}
 
 TrainOptions as_in_the_article() {
   return {};
@@ -148,6 +185,8 @@ TrainOptions recommended() {
 
 void check_options(const TrainOptions& options) {
   const auto refuse = [](const std::string& what) { throw base::InputError(what); };
+  if (options.taught && options.weighted)
+    refuse("networks that learn from a formula have no weights (leave one of the two out)");
   if (options.epochs < 1) refuse(fmt::format("epochs = {} (must be at least 1)", options.epochs));
   if (options.patience < 0) refuse(fmt::format("patience = {} (must be at least 0)", options.patience));
   if (options.smoothing < 0) refuse(fmt::format("smoothing = {} (must be at least 0)", options.smoothing));
@@ -169,10 +208,11 @@ void check_options(const TrainOptions& options) {
     refuse(fmt::format("layers {} (must begin with {} and end with 1)", fmt::join(options.layers, "-"), input_count));
   }
   if (options.init_from == nullptr) return;
+  const std::vector<int> layers = with_further(options.layers, further_inputs(*options.init_from).size());
   for (const OutputModel& output : options.init_from->outputs) {
-    if (output.network.layers != options.layers) {
+    if (output.network.layers != layers) {
       refuse(fmt::format("the model to start from has layers {} for {} (must be {}, as in this training)",
-                         fmt::join(output.network.layers, "-"), output.variable.name, fmt::join(options.layers, "-")));
+                         fmt::join(output.network.layers, "-"), output.variable.name, fmt::join(layers, "-")));
     }
     if (output.network.output != options.output || (output.log_reference > 0.0) != options.log_targets) {
       refuse(fmt::format("the model to start from has another output for {} ({}{}; must be {}{}, as in this training)",
@@ -205,26 +245,28 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
   const std::uint64_t split_seed = options.split_seed.value_or(options.seed);
   const Split inner = validation_split(split, options, split_seed);
   const std::vector<TrainingRow>& rows = options.averaged ? means.rows : data.rows;
-  const Sides sides{rows_of(rows, inner.train_cases), rows_of(rows, inner.test_cases), rows_of(rows, split.test_cases)};
+  Sides sides{rows_of(rows, inner.train_cases), rows_of(rows, inner.test_cases), rows_of(rows, split.test_cases),
+              further_of(data, options)};
   if (sides.train.size() < 2) {
     throw base::InputError(
         fmt::format("{}: only one row is left to learn from (more cases, or a larger split)", data.file));
   }
   if (options.init_from == nullptr) {
-    require_varied_inputs(sides.train, data.file);
+    require_varied_inputs(sides.train, sides.further, data.file);
   } else if (options.init_from->outputs.size() > output_count(data)) {
     throw base::InputError(fmt::format(
         "{}: the model to start from has networks of mean, sd, correlation length and correlation, but the data have "
         "no such columns (train without a start model, or collect the data anew)",
         data.file));
   }
-  Model model = start_model(options, sides.train);
+  Model model = start_model(options, sides.train, sides.further);
+  const std::size_t terms = options.taught ? teach(means, inner, sides) : 0;
   train_outputs(options, law, sides, progress, model);
   model.provenance = {.data_file = data.file,
                       .data_fingerprint = data.fingerprint,
                       .data_parts = data.parts,
                       .counting = data.counting,
-                      .fluid_pressure_MPa = data.fluid_pressure_MPa,
+                      .fluid_pressure_MPa = one_pressure(data).value_or(0.0),
                       .initial_fingerprint = options.init_from == nullptr
                                                  ? std::string()
                                                  : base::fingerprint_text(model_text(*options.init_from)),
@@ -239,6 +281,7 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
                       .smoothing = options.smoothing,
                       .averaged = options.averaged,
                       .weighted = options.weighted,
+                      .taught_terms = static_cast<int>(terms),
                       .train_cases = inner.train_cases,
                       .validation_cases = inner.test_cases,
                       .test_cases = split.test_cases,

@@ -19,7 +19,7 @@ namespace bitrock::surrogate {
 
 /// How the networks are built and trained.
 struct TrainOptions {
-  std::vector<int> layers{3, 4, 6, 3, 1};                 ///< of every network; first 3, last 1
+  std::vector<int> layers{3, 4, 6, 3, 1};  ///< of every network; first 3 (further inputs are added to it), last 1
   OutputActivation output = OutputActivation::rectified;  ///< of the last layer
   bool log_targets = false;                   ///< the networks learn ln(1 + y / y_0), y_0 the smallest positive y seen
   int epochs = 50;                            ///< passes through the training rows, at most
@@ -34,6 +34,7 @@ struct TrainOptions {
   int smoothing = 0;        ///< epochs over which parameters are averaged (learn.hpp); 0: those of the last step
   bool averaged = true;     ///< learn from the mean over the cuts of a case; false: from the single cuts
   bool weighted = false;    ///< weigh errors by the inverse variance of the data (`scatter.hpp`)
+  bool taught = false;      ///< learn from a smooth formula through the cases (`taught_rows.hpp`), not from them
   bool shuffle = true;      ///< false: file order in splits and batches, the last cases are the test set
   int threads = 1;          ///< 0: one a core. The bits do not depend on it
   std::string rock{};       ///< which rock, for people; empty with `init_from`: as there
@@ -43,6 +44,9 @@ struct TrainOptions {
 
 /// The article's procedure [BitRock2026, sec. 3.2]: 50 epochs, a single start, the last epoch kept.
 TrainOptions as_in_the_article();
+
+/// The layers of networks with so many further inputs: these, the first one wider.
+std::vector<int> with_further(std::vector<int> layers, std::size_t further);
 
 /// What `bitrock train` does unless it is told otherwise: 600 epochs at a rate of 0.003, three starts, parameters
 /// averaged over 50 epochs. The article's 50 epochs end before the networks have learnt what the data hold, and of the

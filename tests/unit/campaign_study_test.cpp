@@ -49,9 +49,41 @@ TEST_F(StudyFile, ATableOfTheSameCasesAsksForTheSameCuts) {
   }
 }
 
+TEST_F(StudyFile, PressuresOfTheMudAreOneMoreAxisOfAGrid) {
+  const std::string fluid = "[fluid]\ndebris = \"drained\"\n";
+  std::string grid = fx::study_text();
+  grid.insert(grid.find("[grid]\n") + 7, "fluid_pressures_MPa = [0, 20]\n");
+  const std::vector<studies::Job> jobs = studies::jobs(study(grid + fluid)),
+                                  dry = studies::jobs(study(fx::study_text()));
+  ASSERT_EQ(jobs.size(), 16u);
+  EXPECT_EQ(jobs[8].case_number, 5);
+  EXPECT_EQ(jobs[8].cut.mud_pressure, 20e6);
+  EXPECT_EQ(jobs[8].cut.debris, "drained");
+  for (std::size_t i = 0; i < dry.size(); ++i)
+    EXPECT_EQ(studies::job_hash(jobs[i]), studies::job_hash(dry[i])) << "at 0 MPa the cut is the one without mud";
+
+  table("back_rake_deg,cutter_speed_m_per_s,fluid_pressure_MPa,depth_of_cut_mm\n10,0.5,0,2\n10,0.5,20,2\n");
+  const auto of_table = studies::jobs(study(fx::head + by_table + "seeds = [1, 5]\n" + sizes + fluid));
+  ASSERT_EQ(of_table.size(), 4u);
+  EXPECT_EQ(studies::job_hash(of_table[2]), studies::job_hash(jobs[8]));
+}
+
+TEST_F(StudyFile, PressuresAreGivenOnceAndInRange) {
+  const auto with = [](const std::string& list) {
+    std::string grid = fx::study_text();
+    grid.insert(grid.find("[grid]\n") + 7, "fluid_pressures_MPa = " + list + "\n");
+    return grid;
+  };
+  EXPECT_NE(message(with("[0, 20]") + "[fluid]\npressure_MPa = 5\n").find("give one of the two"), std::string::npos);
+  EXPECT_NE(message(with("[20, 20]")).find("each value may appear once"), std::string::npos);
+  EXPECT_NE(message(with("[-1]")).find("fluid_pressures_MPa"), std::string::npos);
+}
+
 TEST_F(StudyFile, AResolvedStudyNeedsNoOtherFile) {
   table("back_rake_deg,cutter_speed_m_per_s,depth_of_cut_mm\n10,0.5,2\n30,0.7,4.1\n");
-  for (const std::string& text : {fx::study_text(), fx::head + by_table + "seeds = [1, 5]\n" + sizes,
+  std::string pressures = fx::study_text();
+  pressures.insert(pressures.find("[grid]\n") + 7, "fluid_pressures_MPa = [0, 20]\n");
+  for (const std::string& text : {fx::study_text(), pressures, fx::head + by_table + "seeds = [1, 5]\n" + sizes,
                                   fx::head + fx::grid + by_depth + "run_in_depths = 0.7\n"}) {
     const studies::Study first = study(text);
     base::write_whole(dir / "resolved.toml", studies::exact_toml(first));

@@ -118,21 +118,20 @@ std::string under_mud(const std::vector<std::pair<std::string, std::string>>& ro
   return text;
 }
 
-TEST(SurrogateData, CutsUnderDifferentMudPressuresDoNotMix) {
+TEST(SurrogateData, ThePressureOfTheMudIsReadWhetherItVariesOrNot) {
   const TrainingData mud = read_text(under_mud({{row_1_1, "20"}, {row_2_1, "20"}}));
-  EXPECT_EQ(mud.fluid_pressure_MPa, 20.0);
-  EXPECT_NE(
-      message(under_mud({{row_1_1, "20"}, {row_2_1, "0"}})).find("features.csv:3: fluid_pressure_MPa = 0 (line 2: 20"),
-      std::string::npos);
+  EXPECT_EQ(surrogate::one_pressure(mud), 20.0);
+  const TrainingData both = read_text(under_mud({{row_1_1, "20"}, {row_2_1, "0"}}));
+  EXPECT_FALSE(surrogate::one_pressure(both).has_value());
+  EXPECT_EQ(surrogate::varying_further(both), std::vector<std::size_t>{0});
+  EXPECT_NE(message(under_mud({{row_1_1, "20"}, {row_1_2, "0"}, {row_2_1, "0"}})).find("case 1 has fluid_pressure_MPa"),
+            std::string::npos);
   EXPECT_NE(message(under_mud({{row_1_1, "-1"}, {row_2_1, "-1"}})).find("fluid_pressure_MPa = -1"), std::string::npos);
   const TrainingData silent = read_text(features_header + row_1_2 + row_2_1);
-  EXPECT_EQ(silent.fluid_pressure_MPa, 0.0) << "older tables are of cuts without mud";
-  EXPECT_NE(surrogate_fixture::refusal([&] {
-              surrogate::joined({mud, silent});
-            }).find("fluid_pressure_MPa = 20 and 0"),
-            std::string::npos);
+  EXPECT_EQ(surrogate::one_pressure(silent), 0.0) << "older tables are of cuts without mud";
+  EXPECT_FALSE(surrogate::one_pressure(surrogate::joined({mud, silent})).has_value());
   const TrainingData more = read_text(under_mud({{row_1_2, "20"}, {row_2_1, "20"}}));
-  EXPECT_EQ(surrogate::joined({mud, more}).fluid_pressure_MPa, 20.0);
+  EXPECT_EQ(surrogate::one_pressure(surrogate::joined({mud, more})), 20.0);
 }
 
 TEST(SurrogateData, ARowCutShortIsRefused) {

@@ -169,7 +169,8 @@ TEST(SurrogateParity, CasesOfAnotherStudyAreAllUnseen) {
 
 TEST(SurrogateParity, CutsUnderAnotherMudPressureAreRefused) {
   TrainingData data = constructed();
-  data.fluid_pressure_MPa = 20.0;
+  data.further = {"fluid_pressure_MPa"};
+  for (surrogate::TrainingRow& row : data.rows) row.further = {20.0};
   EXPECT_NE(surrogate_fixture::refusal([&] {
               surrogate::parity(constant_model(), data);
             }).find("cut under fluid_pressure_MPa = 20, and the networks have learnt from cuts under 0"),

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "surrogate/net/further_inputs.hpp"
 #include "views/networks/parity_plot.hpp"
 #include "views/networks/residual_plot.hpp"
 
@@ -18,9 +19,24 @@ namespace {
 // Residual plots reach at least this far up and down, so that a good network does not look like a bad one.
 constexpr double least_residual_axis = 4.0;
 
-constexpr std::array<const char*, surrogate::input_count> input_labels{"speed [m/s]", "depth of cut [mm]",
-                                                                       "back rake [deg]"};
-constexpr std::array<const char*, surrogate::input_count> input_words{"speed", "depth", "rake"};
+/// How an input is called in the title of a plot and at its axis.
+struct InputWords {
+  std::string title, axis;
+};
+
+InputWords words_of(const surrogate::Variable& input) {
+  constexpr std::array<const char*, surrogate::input_count> titles{"speed", "depth", "rake"};
+  constexpr std::array<const char*, surrogate::input_count> axes{"speed [m/s]", "depth of cut [mm]", "back rake [deg]"};
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    if (input.name == surrogate::input_names[i].name) return {titles[i], axes[i]};
+  }
+  if (input.name == surrogate::pressure_input) return {"pressure", "pressure of the mud [MPa]"};
+  return {input.name, fmt::format("{} [{}]", input.name, input.unit)};
+}
+
+double input_of(const surrogate::ParityPoint& point, std::size_t input) {
+  return input < point.inputs.size() ? point.inputs[input] : point.further[input - point.inputs.size()];
+}
 
 views::CaseKind kind_of(surrogate::CaseRole role) {
   if (surrogate::is_held_out(role)) return views::CaseKind::held_out;
@@ -28,8 +44,10 @@ views::CaseKind kind_of(surrogate::CaseRole role) {
 }
 
 std::string label_of(const surrogate::ParityPoint& point) {
-  return fmt::format("case {}: {:g} m/s, {:g} mm, {:g}\u00b0", point.case_number, point.inputs[0], point.inputs[1],
-                     point.inputs[2]);
+  std::string label = fmt::format("case {}: {:g} m/s, {:g} mm, {:g}\u00b0", point.case_number, point.inputs[0],
+                                  point.inputs[1], point.inputs[2]);
+  for (const double value : point.further) label += fmt::format(", {:g}", value);
+  return label;
 }
 
 report::Plot parity_plot(const surrogate::OutputParity& output, const ShownOutput& as) {
@@ -49,7 +67,7 @@ std::vector<views::Residual> residuals(const surrogate::OutputParity& output, st
   std::vector<views::Residual> found;
   for (const surrogate::ParityPoint& point : output.points) {
     if (!point.residual) continue;
-    found.push_back({.input = point.inputs[input],
+    found.push_back({.input = input_of(point, input),
                      .residual = *point.residual,
                      .kind = kind_of(point.role),
                      .label = label_of(point)});
@@ -98,11 +116,12 @@ report::Figure residual_figure(const surrogate::Parity& parity, const Direction&
                              direction.words)};
   for (std::size_t k = direction.first; k < direction.last; ++k) {
     const surrogate::OutputParity& output = parity.outputs[k];
-    for (std::size_t input = 0; input < surrogate::input_count; ++input) {
+    for (std::size_t input = 0; input < parity.inputs.size(); ++input) {
       const std::vector<views::Residual> seen = residuals(output, input);
       if (seen.empty()) break;
-      figure.plots.push_back(views::residual_plot(fmt::format("{} over {}", shown(output, k).name, input_words[input]),
-                                                  input_labels[input], seen, residual_axis(seen)));
+      const InputWords words = words_of(parity.inputs[input]);
+      figure.plots.push_back(views::residual_plot(fmt::format("{} over {}", shown(output, k).name, words.title),
+                                                  words.axis, seen, residual_axis(seen)));
     }
   }
   return figure;

@@ -1,0 +1,63 @@
+#pragma once
+/// A smooth formula through the data: a polynomial of few terms for the logarithm of each output. What a network does
+/// not do better, it need not be a network for; and a network can learn from it (`taught_rows.hpp`) what it cannot see
+/// in few noisy cases: that forces bend little between the cuts and at the edges of the data.
+///
+/// **Equation** y = exp(sum_j c_j prod_k t_k^(a_jk)), a correlation without the exponential. t_1 is the logarithm of
+/// the depth of cut, t_2, t_3, ... speed, back rake and further inputs, each brought to -1 ... 1 over the rows. Powers
+/// a_jk are whole; together at most the degree, and above 2 of the depth alone. Degree 3 has 18 terms for three inputs,
+/// degree 2 has 10, degree 1 has 4.
+/// The coefficients have the greatest quasi-likelihood for the scatter of `scatter.hpp`, whose variance is y^2 for
+/// amplitudes and y / L for peaks per metre: they minimise
+///
+///     sum_i n_i (y_i / mu_i + ln mu_i),   sum_i n_i L_i (mu_i - y_i ln mu_i),   sum_i n_i (y_i - mu_i)^2 (correlation)
+///
+/// **Symbols** y_i mean over the n_i cuts of case i, mu_i what the formula says, L_i length of cut [m].
+/// **Source** [McCullaghNelder1989] for likelihood and leverage; the terms: docs/decisions/0020.
+/// Of the degrees, the one whose answers for cases it has not seen are the best is taken: the least sum over outputs o
+/// and cases of (y_i - mu_i)^2 / (V_i (1 - h_i)^2) over the same for degree 1, h_i the leverage of case i in the last
+/// step of the iteration and V_i the variance of its mean.
+/// **Validity** between the cases; outside their range a polynomial goes anywhere. Powers above 1 of an input that has
+/// two values, and terms of one that does not vary, are left out; so are degrees with less than two cases a term.
+
+#include <span>
+#include <vector>
+
+#include "surrogate/train/data.hpp"
+#include "surrogate/train/scaling.hpp"
+
+namespace bitrock::surrogate {
+
+/// The highest degree that is looked at.
+inline constexpr int highest_degree = 3;
+
+/// A formula that was fitted.
+struct SmoothFormula {
+  /// t = (x - centre) / half_width, x the logarithm of the depth or another input in the unit of its column.
+  struct Scale {
+    double centre = 0.0;      ///< of the rows
+    double half_width = 1.0;  ///< of the rows; 1 for an input that does not vary
+  };
+  std::vector<LearntFurther> further;             ///< inputs behind speed, depth and rake
+  std::vector<Scale> scales;                      ///< depth, speed, rake, further ones
+  std::vector<std::vector<int>> powers;           ///< one list a term, in the order of `scales`
+  std::vector<std::vector<double>> coefficients;  ///< one list an output, one number a term
+  int degree = 0;                                 ///< of the terms
+  /// For each output the sum over the cases of squared errors unseen, in units of the variance; 0 where it is 0.
+  std::vector<double> unseen_errors;
+
+  /// Number of terms.
+  std::size_t terms() const { return powers.size(); }
+};
+
+/// Fits all outputs of the rows: means over the cuts of a case. An output that is 0 in all rows stays 0. Throws
+/// `base::InputError` for fewer than two rows.
+SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const LearntFurther> further = {});
+
+/// The same of this degree, less where the cases are few.
+SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const LearntFurther> further, int degree);
+
+/// In the units of `output_names`; never negative, a correlation at most 1.
+Outputs predict(const SmoothFormula& formula, const TrainingRow& conditions);
+
+}  // namespace bitrock::surrogate

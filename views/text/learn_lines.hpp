@@ -1,0 +1,16 @@
+#pragma once
+/// What `learn` tells: how well the force is known by now, and at the end what more time would buy.
+
+#include <string>
+
+#include "studies/learn/learn.hpp"
+
+namespace bitrock::views {
+
+/// After a batch: cuts, error of the force, time left.
+std::string batch_line(const studies::LearnProgress& progress);
+
+/// At the end: one sentence for each output, and what an hour more would give.
+std::string learnt_lines(const studies::Learnt& learnt);
+
+}  // namespace bitrock::views
