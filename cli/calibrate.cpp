@@ -131,6 +131,13 @@ void run(const Options& options) {
 
 }  // namespace
 
+void calibrate_into(const CommonOptions& common, const std::string& target, const std::string& rock, int jobs) {
+  Options options{.common = common, .jobs = jobs, .target_file = target, .output = rock};
+  options.common.json_file.clear();
+  options.common.check = false;
+  run(options);
+}
+
 void add_calibrate(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(

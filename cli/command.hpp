@@ -99,6 +99,8 @@ void add_train(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_hold(CLI::App& app);
 void add_learn(CLI::App& app);
+/// `bitrock calibrate TARGET -o ROCK` inside another command.
+void calibrate_into(const CommonOptions& common, const std::string& target, const std::string& rock, int jobs);
 void add_parity(CLI::App& app);
 void add_rebuild(CLI::App& app);
 void add_signal(CLI::App& app);

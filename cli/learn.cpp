@@ -1,7 +1,9 @@
 // bitrock learn: the networks of a rock in a time that somebody has.
+#include <chrono>
 #include <memory>
 #include <optional>
 
+#include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/shipped.hpp"
 #include "cli/command.hpp"
@@ -28,16 +30,35 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
+/// The rock file of the folder, calibrated to the laboratory numbers unless an earlier call did so.
+std::string calibrated_rock(const Options& options, const std::string& target) {
+  const std::filesystem::path rock = std::filesystem::path(options.folder) / "rock.toml";
+  if (base::is_there(rock)) return rock.string();
+  base::require_writable_folder(options.folder);
+  try {
+    calibrate_into(options.common, target, rock.string(), options.workers);
+  } catch (const base::SimulationError& error) {
+    if (!base::is_there(rock)) throw;
+    warn(options.common, error.what());  // not all numbers were reached: the nearest rock is learnt
+  }
+  return rock.string();
+}
+
 studies::LearnRequest request_of(const Options& options) {
-  studies::LearnRequest request{.like = studies::read_study(base::or_shipped(options.study, data_folder())),
-                                .folder = options.folder,
-                                .budget = options.hours * 3600.0,
-                                .workers = options.workers,
-                                .batch = options.batch,
-                                .seed = options.seed};
-  request.like.common.rock = dem2d::read_rock(options.rock);
+  const auto begin = std::chrono::steady_clock::now();
+  const bool laboratory = base::ConfigFile::read(options.rock).has_table("target");
+  const std::string rock = laboratory ? calibrated_rock(options, options.rock) : options.rock;
+  studies::LearnRequest request{
+      .like = studies::read_study(base::or_shipped(options.study, data_folder())),
+      .folder = options.folder,
+      .budget = options.hours * 3600.0,
+      .spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+      .workers = options.workers,
+      .batch = options.batch,
+      .seed = options.seed};
+  request.like.common.rock = dem2d::read_rock(rock);
   studies::for_each_job(request.like, [&options](const studies::Job& job) {
-    dem2d::check_cut_case(job.cut, fmt::format("{} with {}: case {}", options.study, options.rock, job.case_number));
+    dem2d::check_cut_case(job.cut, fmt::format("{} with {}: case {}", options.study, rock, job.case_number));
   });
   warn(options.common, studies::warnings(request.like));
   if (options.error_percent) request.error = 0.01 * *options.error_percent;
@@ -48,7 +69,6 @@ studies::LearnRequest request_of(const Options& options) {
 void write_model(const Options& options, const studies::LearnRequest& request) {
   const std::filesystem::path folder = options.folder;
   surrogate::TrainOptions train = surrogate::recommended();
-  train.taught = true;
   train.split = 0.9;  // the formula says how good it is without a test: few cuts are kept from it
   train.rock = request.like.common.rock.name;
   train.threads = options.workers;
@@ -77,7 +97,12 @@ void run(const Options& options) {
   const studies::Learnt learnt = studies::learn(request, listeners);
   write_model(options, request);
   say(options.common, "{}", views::learnt_lines(learnt));
-  write_json(options.common, views::as_json(learnt));
+  nlohmann::json json = views::as_json(learnt);
+  for (const char* file :
+       {"rock.toml", "forces.h5", "features.csv", "features_mean.csv", "model.json", "report.html"}) {
+    if (base::is_there(folder / file)) json["files"].push_back((folder / file).string());
+  }
+  write_json(options.common, json);
 }
 
 }  // namespace
@@ -86,7 +111,12 @@ void add_learn(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "learn", "Cuts a rock under conditions that teach most, for a given time, and trains its networks.");
-  command->add_option("rock", options->rock, "The rock file, e.g. campaigns/rocks/article_fine.toml.")->required();
+  command
+      ->add_option(
+          "rock", options->rock,
+          "The rock file, e.g. campaigns/rocks/article_fine.toml, or a target file with laboratory numbers, to "
+          "which a rock is calibrated first.")
+      ->required();
   command
       ->add_option("study", options->study,
                    "This study gives the cutter, the sizes of cut and bed, and the range of speed, depth and rake.")

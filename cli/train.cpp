@@ -18,6 +18,7 @@ struct Options {
   std::vector<std::string> data_files;
   std::string output, init_from;
   surrogate::TrainOptions train = surrogate::recommended();
+  bool from_cases = false, article = false;
   std::string output_activation;
   std::optional<int> patience;
   bool no_shuffle = false, single_cuts = false, search = false;
@@ -42,6 +43,14 @@ void run(Options options) {
   if (!options.init_from.empty()) {
     start = surrogate::read_model(options.init_from);
     options.train.init_from = &start;
+  }
+  options.train.taught = !options.from_cases && !options.article;
+  if (options.article) {
+    const surrogate::TrainOptions article = surrogate::as_in_the_article();
+    options.train.epochs = article.epochs;
+    options.train.learning_rate = article.learning_rate;
+    options.train.starts = article.starts;
+    options.train.smoothing = article.smoothing;
   }
   options.train.shuffle = !options.no_shuffle;
   options.train.averaged = !options.single_cuts;
@@ -161,8 +170,14 @@ void add_train(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--single-cuts", options->single_cuts,
                     "The networks learn from the single cuts, not from the mean over the seeds of each case.");
-  command->add_flag("--taught", train.taught,
-                    "The networks learn from a smooth formula through the cases, not from the noisy cases themselves.");
+  command->add_flag(
+      "--from-cases", options->from_cases,
+      "The networks learn from the noisy cases themselves, not from a smooth formula through them. So it is "
+      "with --init-from, too.");
+  command->add_flag(
+      "--as-in-the-article", options->article,
+      "The training is that of the article: from the cases, 50 passes, learning rate 0.001, one start, the "
+      "last step kept.");
   command->add_flag("--weighted", train.weighted, "Cases that scatter less between seeds weigh more.");
   command->add_flag("--search", options->search,
                     "The program compares several kinds of networks by cross-validation, and takes the article's "

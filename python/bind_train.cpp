@@ -46,7 +46,8 @@ void bind_train(py::module_& module) {
       [](const py::object& data, int epochs, int batch, double learning_rate, std::uint64_t seed, double split,
          const surrogate::Model* init_from, const std::vector<int>& layers, const std::string& output_activation,
          bool log_targets, int smoothing, double validation, std::optional<int> patience, int starts, bool single_cuts,
-         bool weighted, bool shuffle, const std::string& rock, std::optional<int> threads, const py::object& progress) {
+         bool weighted, bool from_cases, bool shuffle, const std::string& rock, std::optional<int> threads,
+         const py::object& progress) {
         TrainOptions options = surrogate::recommended();
         options.epochs = epochs;
         options.batch = batch;
@@ -63,6 +64,7 @@ void bind_train(py::module_& module) {
         options.starts = starts;
         options.averaged = !single_cuts;
         options.weighted = weighted;
+        options.taught = !from_cases;
         options.shuffle = shuffle;
         options.rock = rock;
         options.threads = threads.value_or(base::available_cores());
@@ -75,8 +77,8 @@ void bind_train(py::module_& module) {
       py::arg("log_targets") = usual.log_targets, py::arg("smoothing") = usual.smoothing,
       py::arg("validation") = usual.validation, py::arg("patience") = py::none(), py::arg("starts") = usual.starts,
       py::arg("single_cuts") = !usual.averaged, py::arg("weighted") = usual.weighted,
-      py::arg("shuffle") = usual.shuffle, py::arg("rock") = usual.rock, py::arg("threads") = py::none(),
-      py::arg("progress") = py::none(),
+      py::arg("from_cases") = !usual.taught, py::arg("shuffle") = usual.shuffle, py::arg("rock") = usual.rock,
+      py::arg("threads") = py::none(), py::arg("progress") = py::none(),
       "Fit ten small networks to peak statistics (Model). The defaults are those of `bitrock train`.\n\n"
       "data: a table (features.csv), or a dict of its columns: case, cutter_speed_m_per_s, depth_of_cut_mm,\n"
       "back_rake_deg, cut_length_m, and for x and y {amax_N_per_m, amean_N_per_m, np1, np23, np4}; seed where there "
@@ -87,6 +89,7 @@ void bind_train(py::module_& module) {
       "validation: share of the cases to learn from that only say which epoch is best. starts: random starts, of "
       "which\n"
       "the best is kept. init_from: a Model to begin with. threads: None for all cores; the bits do not depend on it.\n"
+      "from_cases: learn from the cases themselves, not from a smooth formula through them; so it is with init_from.\n"
       "progress: True for a line on sys.stderr, or a function of (done, total), in epochs.");
 }
 

@@ -303,6 +303,7 @@ def train(
     starts: int = 3,
     single_cuts: bool = False,
     weighted: bool = False,
+    from_cases: bool = False,
     shuffle: bool = True,
     rock: str = "",
     threads: Optional[int] = None,

@@ -102,7 +102,8 @@ Knowledge knowledge_of(const surrogate::TrainingData& data) {
   const std::vector<surrogate::TrainingRow> rows = surrogate::averaged(data).rows;
   const surrogate::SmoothFormula formula = surrogate::fit_formula(rows);
   const auto n = static_cast<double>(rows.size()), p = static_cast<double>(formula.terms());
-  Knowledge knowledge{.cuts = static_cast<int>(rows.size()), .terms = static_cast<int>(formula.terms()), .errors = {}};
+  Knowledge knowledge{
+      .cuts = static_cast<int>(rows.size()), .terms = static_cast<int>(formula.terms()), .errors = {}, .scatter = {}};
   for (std::size_t o = 0; o < formula.unseen_errors.size(); ++o) {
     double size = 1.0;
     if (surrogate::is_count(o)) {
@@ -110,8 +111,9 @@ Knowledge knowledge_of(const surrogate::TrainingData& data) {
       for (const surrogate::TrainingRow& row : rows) peaks_in_a_cut += row.outputs[o] * row.cut_length / n;
       size = peaks_in_a_cut;
     }
-    const double own = formula.unseen_errors[o] / n * p / (n + p);
-    knowledge.errors.push_back(size > 0.0 ? std::sqrt(own / size) : 0.0);
+    const double scatter = formula.unseen_errors[o] / n * n / (n + p);  // s^2
+    knowledge.errors.push_back(size > 0.0 ? std::sqrt(scatter * p / n / size) : 0.0);
+    knowledge.scatter.push_back(size > 0.0 ? std::sqrt(scatter / size) : 0.0);
   }
   double squares = 0.0;
   int count = 0;
@@ -137,6 +139,7 @@ Learnt learn(const LearnRequest& request, const LearnListeners& listeners) {
   }
   notebook.request = print;
   base::require_writable_folder(request.folder);
+  notebook.elapsed += request.spent;
   Clock clock(request.folder, notebook);
   LearnDesign design(request.like, range_of(request.like), request.seed);
   ForcesFile all{.study = "learn", .mean_diameter = mean_diameter(request.like), .cuts = {}};
@@ -164,6 +167,7 @@ Learnt learn(const LearnRequest& request, const LearnListeners& listeners) {
       break;
     }
   }
+  for (const CutForces& cut : all.cuts) learnt.core_time += cut.cut.core_time;
   return learnt;
 }
 

@@ -21,6 +21,7 @@ struct LearnRequest {
   Study like;                    ///< rock, cutter, sizes; the range of its cases is what is learnt
   std::filesystem::path folder;  ///< of cuts, tables and notebook
   double budget = 3600.0;        ///< time on the clock, over all calls on this folder [s]
+  double spent = 0.0;            ///< of the budget, before cutting begins, by this call [s]
   std::optional<double> error;   ///< stop when the force is known this well [1]
   int workers = 1;               ///< cuts side by side
   int batch = 24;                ///< cuts between two looks at the error
@@ -37,9 +38,10 @@ struct LearnRequest {
 /// and cases left out show s^2 (1 + p / n); derived here.
 /// **Validity** the force has the shape of the formula: what its terms cannot follow is in u, but only partly in e.
 struct Knowledge {
-  int cuts = 0, terms = 0;     ///< n and p
-  std::vector<double> errors;  ///< one an output [1]
-  double force_error = 0.0;    ///< root mean square over A_max, A_mean, and where known mean, of x and y [1]
+  int cuts = 0, terms = 0;      ///< n and p
+  std::vector<double> errors;   ///< one an output [1]
+  std::vector<double> scatter;  ///< of a single cut, one an output: s / m [1]
+  double force_error = 0.0;     ///< root mean square over A_max, A_mean, and where known mean, of x and y [1]
 };
 /// Of a table with at least two cases.
 Knowledge knowledge_of(const surrogate::TrainingData& data);
@@ -72,6 +74,7 @@ enum class LearnEnd {
 struct Learnt {
   LearnEnd end = LearnEnd::time_over;  ///< why
   LearnProgress last;                  ///< after the last batch
+  double core_time = 0.0;              ///< of all cuts [s]
 };
 
 /// The first batch is cut whatever the budget. Throws `base::InputError` for a folder of another request (rock, range,

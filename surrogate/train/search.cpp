@@ -144,7 +144,8 @@ void take_kind(const Candidate& candidate, TrainOptions& options) {
 
 std::vector<Candidate> usual_candidates() {
   const std::vector<int> article{3, 4, 6, 3, 1}, wide{3, 8, 12, 6, 1}, wider{3, 16, 16, 1};
-  return {{.name = "3-4-6-3-1", .layers = article},
+  return {{.name = "3-4-6-3-1, taught by a formula", .layers = article, .taught = true},
+          {.name = "3-4-6-3-1", .layers = article},
           {.name = "3-8-12-6-1", .layers = wide},
           {.name = "3-16-16-1", .layers = wider},
           {.name = "3-4-6-3-1, softplus output", .layers = article, .output = OutputActivation::softplus},
@@ -155,7 +156,6 @@ std::vector<Candidate> usual_candidates() {
            .layers = wider,
            .output = OutputActivation::linear,
            .log_targets = true},
-          {.name = "3-4-6-3-1, taught by a formula", .layers = article, .taught = true},
           {.name = "3-8-12-6-1, taught by a formula", .layers = wide, .taught = true},
           {.name = "3-16-16-1, taught by a formula", .layers = wider, .taught = true},
           {.name = "smooth formula of degree 3", .layers = {}, .degree = 3},

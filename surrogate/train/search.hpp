@@ -35,8 +35,8 @@ struct Candidate {
 /// Networks of this kind are trained with the options.
 void take_kind(const Candidate& candidate, TrainOptions& options);
 
-/// The article's network first, then wider ones, other outputs, logarithms, both, networks that a smooth formula
-/// teaches, and formulas by themselves.
+/// The article's network taught by a smooth formula first; by itself, wider, with other outputs, logarithms, both;
+/// wider ones that are taught; and formulas by themselves.
 std::vector<Candidate> usual_candidates();
 
 /// What the measuring of a candidate gave.

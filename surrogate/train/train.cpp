@@ -180,13 +180,16 @@ TrainOptions recommended() {
   options.learning_rate = 3e-3;
   options.starts = 3;
   options.smoothing = 50;
+  options.taught = true;
   return options;
 }
 
 void check_options(const TrainOptions& options) {
   const auto refuse = [](const std::string& what) { throw base::InputError(what); };
   if (options.taught && options.weighted)
-    refuse("networks that learn from a formula have no weights (leave one of the two out)");
+    refuse("weighted errors are for networks that learn from the cases (--from-cases)");
+  if (options.taught && !options.averaged)
+    refuse("single cuts are for networks that learn from the cases (--from-cases)");
   if (options.epochs < 1) refuse(fmt::format("epochs = {} (must be at least 1)", options.epochs));
   if (options.patience < 0) refuse(fmt::format("patience = {} (must be at least 0)", options.patience));
   if (options.smoothing < 0) refuse(fmt::format("smoothing = {} (must be at least 0)", options.smoothing));
@@ -260,7 +263,7 @@ Model train_on(const TrainingData& data, const Split& split, const TrainOptions&
         data.file));
   }
   Model model = start_model(options, sides.train, sides.further);
-  const std::size_t terms = options.taught ? teach(means, inner, sides) : 0;
+  const std::size_t terms = options.taught && options.init_from == nullptr ? teach(means, inner, sides) : 0;
   train_outputs(options, law, sides, progress, model);
   model.provenance = {.data_file = data.file,
                       .data_fingerprint = data.fingerprint,

@@ -34,7 +34,7 @@ struct TrainOptions {
   int smoothing = 0;        ///< epochs over which parameters are averaged (learn.hpp); 0: those of the last step
   bool averaged = true;     ///< learn from the mean over the cuts of a case; false: from the single cuts
   bool weighted = false;    ///< weigh errors by the inverse variance of the data (`scatter.hpp`)
-  bool taught = false;      ///< learn from a smooth formula through the cases (`taught_rows.hpp`), not from them
+  bool taught = false;      ///< learn from a smooth formula through the cases (`taught_rows.hpp`); not in a warm start
   bool shuffle = true;      ///< false: file order in splits and batches, the last cases are the test set
   int threads = 1;          ///< 0: one a core. The bits do not depend on it
   std::string rock{};       ///< which rock, for people; empty with `init_from`: as there
@@ -48,9 +48,10 @@ TrainOptions as_in_the_article();
 /// The layers of networks with so many further inputs: these, the first one wider.
 std::vector<int> with_further(std::vector<int> layers, std::size_t further);
 
-/// What `bitrock train` does unless it is told otherwise: 600 epochs at a rate of 0.003, three starts, parameters
-/// averaged over 50 epochs. The article's 50 epochs end before the networks have learnt what the data hold, and of the
-/// small networks many a start ends in a poor minimum; found by cross-validation (docs/decisions/0013).
+/// What `bitrock train` does unless it is told otherwise: a smooth formula teaches the networks (docs/decisions/0020);
+/// 600 epochs at a rate of 0.003, three starts, parameters averaged over 50 epochs. The article's 50 epochs end before
+/// the networks have learnt what the data hold, and of the small networks many a start ends in a poor minimum; found by
+/// cross-validation (docs/decisions/0013).
 TrainOptions recommended();
 
 /// Patience that goes with `validation`, found with the above.

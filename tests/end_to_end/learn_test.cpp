@@ -39,6 +39,8 @@ TEST_F(LearnProgram, TheFirstBatchIsCutHoweverShortTheTimeAndMoreTimeGoesOn) {
   const nlohmann::json told = program::json(dir / "learn.json");
   EXPECT_GE(told["cuts"].get<int>(), 8);
   EXPECT_GT(told["force_error"].get<double>(), 0.0);
+  EXPECT_GT(told["outputs"]["x_amax_N_per_m"]["error_by_noise"].get<double>(), 0.0);
+  EXPECT_EQ(told["files"].size(), 5U);
   const surrogate::Model model = surrogate::read_model(dir / "out" / "model.json");
   EXPECT_EQ(model.outputs.size(), 17U);
   EXPECT_GT(model.provenance.taught_terms, 0);
@@ -53,6 +55,21 @@ TEST_F(LearnProgram, TheFirstBatchIsCutHoweverShortTheTimeAndMoreTimeGoesOn) {
   const auto other = learn("--hours 1", "2");
   EXPECT_EQ(other.status, 2);
   EXPECT_NE(other.text.find("begun with another rock, study, seed or batch"), std::string::npos) << other.text;
+}
+
+TEST_F(LearnProgram, FromLaboratoryNumbersARockIsCalibratedFirstAndKept) {
+  base::write_whole(dir / "start.toml", base::read_whole(BITROCK_SOURCE_DIR "/campaigns/rocks/start.toml") +
+                                            "\n[specimen]\nwidth_mm = 16\nheight_mm = 32\n");
+  base::write_whole(dir / "target.toml",
+                    "[target]\nname = \"small\"\nyoungs_modulus_GPa = 1.6\n\n[start]\nrock = \"start.toml\"\n\n"
+                    "[calibration]\nseeds = 1\nscouting_seeds = 1\nmost_evaluations = 1\ntolerance_percent = 0.001\n");
+  const auto outcome = run(fmt::format("learn {} {} -o {} --batch 8 --hours 0.001", (dir / "target.toml").string(),
+                                       (dir / "study.toml").string(), (dir / "out").string()));
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("warning: the target was not reached"), std::string::npos)
+      << "and goes on: " << outcome.text;
+  EXPECT_NE(base::read_whole(dir / "out" / "rock.toml").find("small"), std::string::npos);
+  EXPECT_EQ(surrogate::read_model(dir / "out" / "model.json").rock, "small");
 }
 
 TEST_F(LearnProgram, WrongValuesAreRefused) {

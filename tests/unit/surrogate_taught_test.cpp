@@ -75,6 +75,7 @@ TEST(SurrogateTaught, FewNoisyCasesTeachMoreByWayOfAFormula) {
   surrogate::TrainOptions options = surrogate::recommended();
   options.epochs = 200;
   options.split = 0.95;
+  options.taught = false;
   const double directly = error_of(surrogate::train(data, options));
   options.taught = true;
   const surrogate::Model model = surrogate::train(data, options);
@@ -85,10 +86,13 @@ TEST(SurrogateTaught, FewNoisyCasesTeachMoreByWayOfAFormula) {
   EXPECT_EQ(surrogate::model_text(surrogate::model_from_text(text, "m.json")), text);
 }
 
-TEST(SurrogateTaught, HasNoWeights) {
+TEST(SurrogateTaught, HasNeitherWeightsNorSingleCuts) {
   surrogate::TrainOptions options;
   options.taught = options.weighted = true;
-  EXPECT_NE(surrogate_fixture::refusal([&] { surrogate::check_options(options); }).find("have no weights"),
+  EXPECT_NE(surrogate_fixture::refusal([&] { surrogate::check_options(options); }).find("--from-cases"),
+            std::string::npos);
+  options.weighted = options.averaged = false;
+  EXPECT_NE(surrogate_fixture::refusal([&] { surrogate::check_options(options); }).find("single cuts are for"),
             std::string::npos);
 }
 

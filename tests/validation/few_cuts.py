@@ -2,7 +2,7 @@
 """How much networks learn from few cuts, with and without a formula as teacher: few_cuts.py BITROCK FEATURES.csv [REPEATS]
 
 A quarter of the cases of FEATURES.csv is set aside. From the others so many single cuts are drawn, each of another case, or all are
-taken; networks are trained on them as `bitrock train` does, and with --taught, and held against the cases set aside. Printed is a table
+taken; networks are trained on them with --from-cases, and as `bitrock train` does by itself, and held against the cases set aside. Printed is a table
 for docs/results/learning.md: the error on these cases in standard errors of their means (1: a faultless model), the root mean square
 over the ten outputs, and what of it is the networks' own, as a share of A_max and A_mean.
 """
@@ -56,7 +56,7 @@ def main():
         folder = Path(name)
         write(folder / "aside.csv", [row for row in rows if row["case"] in set_aside])
         for count in (30, 60, 120, len(pool), 0):
-            for words, flags in (("cases", []), ("a formula", ["--taught"])):
+            for words, flags in (("cases", ["--from-cases"]), ("a formula", [])):
                 found = []
                 for repeat in range(repeats if count else 1):
                     draw = random.Random(100 * count + repeat)

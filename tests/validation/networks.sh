@@ -11,7 +11,7 @@ mkdir -p "$out"
 "$B" train "$features" -o "$out/model.json" --search --jobs 2 --json "$out/train.json" \
   --rock "article rock in grains of 0.5 mm" >&2
 "$B" parity "$out/model.json" "$features" --json "$out/parity.json" --report "$out/parity.html" --figures "$out" >&2
-"$B" train "$features" -o "$out/article.json" --epochs 50 --learning-rate 0.001 --smoothing 0 --starts 1 --quiet
+"$B" train "$features" -o "$out/article.json" --as-in-the-article --quiet
 "$B" parity "$out/article.json" "$features" --json "$out/article_parity.json" --quiet
 /usr/bin/python3 - "$out" <<'PY'
 import json

@@ -8,12 +8,14 @@ nlohmann::json as_json(const studies::Learnt& learnt) {
   const studies::Knowledge& knowledge = learnt.last.knowledge;
   nlohmann::json outputs = nlohmann::json::object();
   for (std::size_t o = 0; o < knowledge.errors.size(); ++o)
-    outputs[std::string(surrogate::output_names[o].name)] = {{"standard_error", knowledge.errors[o]}};
+    outputs[std::string(surrogate::output_names[o].name)] = {{"error", knowledge.errors[o]},
+                                                             {"error_by_noise", knowledge.scatter[o]}};
   return {{"end", learnt.end == studies::LearnEnd::error_reached ? "error reached" : "time over"},
           {"batches", learnt.last.batch},
           {"cuts", knowledge.cuts},
           {"terms", knowledge.terms},
-          {"elapsed_s", learnt.last.elapsed},
+          {"wall_s", learnt.last.elapsed},
+          {"core_s", learnt.core_time},
           {"force_error", knowledge.force_error},
           {"outputs", outputs}};
 }
