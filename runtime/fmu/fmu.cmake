@@ -3,8 +3,7 @@
 set(BITROCK_FMU_DEFINITIONS "")
 set(BITROCK_FMU_LIBRARIES "")
 set(BITROCK_FMU_TARGETS "")
-set(fmu_sources fmu/bit_block.cpp fmu/bit_slave.cpp fmu/fmu.cpp fmu/resource.cpp
-    fmu/values.cpp)
+set(fmu_sources fmu/bit_block.cpp fmu/bit_slave.cpp fmu/bit_values.cpp fmu/fmu.cpp fmu/resource.cpp)
 
 # linux64: the object files of the core and some of its own, linked like libbitrock_runtime.so: without the C++ library,
 # so that it loads on systems older than the one it was built on. Debug symbols would only make FMUs large.

@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
+#include <functional>
 
-#include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/zip.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/bit/core_description.hpp"
 #include "runtime/fmu/bit_block.hpp"
+#include "runtime/fmu/bit_variables.hpp"
 #include "runtime/fmu/libraries.hpp"
-#include "runtime/fmu/variables.hpp"
 
 namespace bitrock::fmu {
 
@@ -53,12 +52,26 @@ std::string guid_of(std::string content) {
                      second.substr(0, 4), second.substr(4));
 }
 
-void require_libraries(const std::vector<Library>& found) {
-  if (found.empty()) {
-    throw base::InputError(
-        "this bitrock carries no library for an FMU (it was built on another machine than linux64, without Debian's "
-        "g++-mingw-w64-x86-64-posix for win64)");
+/// What differs between the FMU of a bit and that of a string. Block and description are made twice: once to find the
+/// guid of all, once with it.
+FmuFile packed(const char* identifier, const char* resource,
+               const std::function<std::string(const std::string&)>& block_with,
+               const std::function<std::string(const std::string&)>& description_with) {
+  const std::vector<Library> carried = libraries();
+  std::string content = block_with("") + description_with("");
+  for (const Library& library : carried) content += library.bytes;
+  FmuFile file{.guid = guid_of(std::move(content))};
+
+  const std::string block = block_with(file.guid), xml = description_with(file.guid);
+  std::vector<base::ZipEntry> entries{{"modelDescription.xml", xml}};
+  for (const Library& library : carried) {
+    entries.push_back(
+        {fmt::format("binaries/{}/{}{}", library.platform, identifier, library.extension), library.bytes});
+    file.platforms.emplace_back(library.platform);
   }
+  entries.push_back({fmt::format("resources/{}", resource), block});
+  file.bytes = base::zip_stored(entries);
+  return file;
 }
 
 }  // namespace
@@ -84,27 +97,13 @@ std::string bit_block(const bitrock_description& description, double threshold_w
 }
 
 FmuFile fmu_file(const runtime::Bit& bit, const surrogate::Model& model) {
-  const std::vector<Library> carried = libraries();
-  require_libraries(carried);
   const runtime::BitForce usable(bit, model);  // or it throws, in words
   const runtime::CoreDescription description = runtime::describe(bit, model);
   constexpr double no_threshold = 0.0;  // [N] a parameter of the FMU, unknown to a bit file
-
-  std::string content = bit_block(description.plain, no_threshold, "") + model_description(bit, model, "");
-  for (const Library& library : carried) content += library.bytes;
-  FmuFile file{.guid = guid_of(std::move(content))};
-
-  const std::string block = bit_block(description.plain, no_threshold, file.guid);
-  const std::string xml = model_description(bit, model, file.guid);
-  std::vector<base::ZipEntry> entries{{"modelDescription.xml", xml}};
-  for (const Library& library : carried) {
-    entries.push_back(
-        {fmt::format("binaries/{}/{}{}", library.platform, model_identifier, library.extension), library.bytes});
-    file.platforms.emplace_back(library.platform);
-  }
-  entries.push_back({fmt::format("resources/{}", block_file), block});
-  file.bytes = base::zip_stored(entries);
-  return file;
+  return packed(
+      bit_identifier, bit_block_file,
+      [&](const std::string& guid) { return bit_block(description.plain, no_threshold, guid); },
+      [&](const std::string& guid) { return model_description(bit, model, guid); });
 }
 
 }  // namespace bitrock::fmu

@@ -1,6 +1,7 @@
 #include "runtime/fmu/libraries.hpp"
 
 #include "base/embed.hpp"
+#include "base/errors.hpp"
 
 // runtime/CMakeLists.txt builds and names the files, and rebuilds this one when they change.
 #ifdef BITROCK_FMU_LINUX64
@@ -20,6 +21,11 @@ std::vector<Library> libraries() {
 #ifdef BITROCK_FMU_WIN64
   found.push_back({"win64", ".dll", fmu_win64_bytes()});
 #endif
+  if (found.empty()) {
+    throw base::InputError(
+        "this bitrock carries no library for an FMU (it was built on another machine than linux64, without Debian's "
+        "g++-mingw-w64-x86-64-posix for win64)");
+  }
   return found;
 }
 

@@ -13,7 +13,8 @@ struct Library {
   std::string_view bytes;      ///< the whole file, within this program
 };
 
-/// linux64 where bitrock was built on such a machine, win64 where the compiler for it was found.
+/// linux64 where bitrock was built on such a machine, win64 where the compiler for it was found. Throws `InputError`
+/// when there is neither.
 std::vector<Library> libraries();
 
 }  // namespace bitrock::fmu

@@ -8,9 +8,10 @@
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/bit/core_description.hpp"
 #include "runtime/core/bitrock_runtime.h"
-#include "runtime/fmu/bit_slave.hpp"
+#include "runtime/fmu/bit_block.hpp"
 #include "runtime/fmu/fmu_file.hpp"
 #include "runtime/fmu/resource.hpp"
+#include "runtime/fmu/slave.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
@@ -126,12 +127,14 @@ void make_and_step(std::string_view bytes) {
   const std::string block = good_block(bytes);
   char* const owned = static_cast<char*>(std::malloc(block.size() + 1));
   std::memcpy(owned, block.data(), block.size());
-  fmu::Slave slave;
-  const char* const reason = fmu::make(slave, owned, block.size());
-  if (reason == nullptr) {
-    slave.moment.inputs = {.rotation = 10.0, .rate_of_penetration = 3e-3, .weight = 1e4};
-    fmu::find_start(slave);
-    fmu::step(slave, 0.01);
+  const char* reason = nullptr;
+  fmu::Slave* const slave = fmu::make(owned, block.size(), reason);
+  if (slave != nullptr) {
+    constexpr unsigned inputs[] = {0, 1, 2};
+    constexpr double values[] = {10.0, 3e-3, 1e4};  // rotation [rad/s], rate of penetration [m/s], weight on bit [N]
+    fmu::set_values(*slave, inputs, 3, values);
+    fmu::find_start(*slave);
+    fmu::step(*slave, 0.01);
   }
   const std::string told = reason == nullptr ? "" : reason;
   fmu::destroy(slave);
