@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "runtime/core/conditions.hpp"
 #include "runtime/fmu/bit_variables.hpp"
+#include "runtime/fmu/core_memory.hpp"
 #include "runtime/laws/progression_angle.hpp"
 
 namespace bitrock::fmu {
@@ -35,24 +36,11 @@ bool same(const bitrock_signal& a, const bitrock_signal& b) {
 }
 static_assert(std::has_unique_object_representations_v<Phase>, "states are copied as bytes");
 
-/// A core in memory of its own; null when there is none to be had.
-bitrock_core* new_core(const BitSlave& slave, const bitrock_signal& signal, bitrock_status& status) {
-  const bitrock_description description = description_with(slave, signal);
-  std::size_t bytes = 0;
-  status = bitrock_core_size(&description, &bytes);
-  if (status != BITROCK_OK) return nullptr;
-  void* const memory = std::malloc(bytes);  // divisible by 16 on the systems an FMU is built for
-  bitrock_core* core = nullptr;
-  status = memory == nullptr ? BITROCK_BAD_MEMORY : bitrock_core_create(memory, bytes, &description, &core);
-  if (status != BITROCK_OK) std::free(memory);
-  return core;
-}
-
 /// The core as it was made, with the signal of the settings.
 bitrock_status renew_core(BitSlave& slave) {
   if (same(slave.core_signal, slave.settings.signal)) return bitrock_core_reset(slave.core);
   bitrock_status status = BITROCK_OK;
-  bitrock_core* const core = new_core(slave, slave.settings.signal, status);
+  bitrock_core* const core = new_core(description_with(slave, slave.settings.signal), status);
   if (core == nullptr) return status;
   std::free(slave.core);
   slave.core = core;
@@ -149,7 +137,7 @@ bool is_sound(const Moment& m) {
 bool restore_core(BitSlave& slave, const bitrock_signal& signal, const char* state, std::size_t size) {
   if (same(slave.core_signal, signal)) return bitrock_core_restore(slave.core, state, size) == BITROCK_OK;
   bitrock_status status = BITROCK_OK;
-  bitrock_core* const core = new_core(slave, signal, status);
+  bitrock_core* const core = new_core(description_with(slave, signal), status);
   if (core == nullptr) return false;
   if (bitrock_core_restore(core, state, size) != BITROCK_OK) {
     std::free(core);
@@ -177,7 +165,7 @@ const char* fill(BitSlave& slave, std::size_t size) {
   slave.settings = start_settings(slave);
   slave.core_signal = slave.settings.signal;
   bitrock_status status = BITROCK_OK;
-  slave.core = new_core(slave, slave.core_signal, status);
+  slave.core = new_core(description_with(slave, slave.core_signal), status);
   return slave.core == nullptr ? bitrock_status_text(status) : nullptr;
 }
 

@@ -1,17 +1,9 @@
 // The values of a bit's variables (slave.hpp).
 #include "runtime/fmu/bit_slave.hpp"
 #include "runtime/fmu/bit_variables.hpp"
+#include "runtime/fmu/core_memory.hpp"
 
 namespace bitrock::fmu {
-
-namespace {
-
-/// A count of the core as an Integer of FMI, which has 32 bits: it stays at the largest.
-int as_integer(std::int64_t count) {
-  return count < INT32_MAX ? static_cast<int>(count) : INT32_MAX;
-}
-
-}  // namespace
 
 double real_value(const Slave& slave, unsigned reference) {
   const Settings& settings = static_cast<const BitSlave&>(slave).settings;
@@ -51,8 +43,7 @@ int integer_value(const Slave& slave, unsigned reference) {
     case questions:
       return as_integer(tally.asked);
     case clamped:
-      return as_integer(tally.speed_below + tally.speed_above + tally.depth_below + tally.depth_above +
-                        tally.rake_below + tally.rake_above);
+      return clamped_conditions(tally);
     case seed:
       return as_integer(static_cast<std::int64_t>(signal.seed));
     case combine:

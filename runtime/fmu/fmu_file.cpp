@@ -1,16 +1,11 @@
 #include "runtime/fmu/fmu_file.hpp"
 
-#include <fmt/format.h>
-
-#include <functional>
-
 #include "base/text.hpp"
-#include "base/zip.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/bit/core_description.hpp"
+#include "runtime/fmu/archive.hpp"
 #include "runtime/fmu/bit_block.hpp"
 #include "runtime/fmu/bit_variables.hpp"
-#include "runtime/fmu/libraries.hpp"
 
 namespace bitrock::fmu {
 
@@ -43,37 +38,6 @@ void put_output(std::string& bytes, const bitrock_output& output) {
   for (std::int64_t i = 0; i < parameters; ++i) put(bytes, output.parameters[i]);
 }
 
-/// In the usual form of a guid: the fingerprint of the content, and that of the content with a letter behind it.
-std::string guid_of(std::string content) {
-  const std::string first = base::fingerprint_text(content);
-  content += 'g';
-  const std::string second = base::fingerprint_text(content);
-  return fmt::format("{{{}-{}-{}-{}-{}}}", first.substr(0, 8), first.substr(8, 4), first.substr(12, 4),
-                     second.substr(0, 4), second.substr(4));
-}
-
-/// What differs between the FMU of a bit and that of a string. Block and description are made twice: once to find the
-/// guid of all, once with it.
-FmuFile packed(const char* identifier, const char* resource,
-               const std::function<std::string(const std::string&)>& block_with,
-               const std::function<std::string(const std::string&)>& description_with) {
-  const std::vector<Library> carried = libraries();
-  std::string content = block_with("") + description_with("");
-  for (const Library& library : carried) content += library.bytes;
-  FmuFile file{.guid = guid_of(std::move(content))};
-
-  const std::string block = block_with(file.guid), xml = description_with(file.guid);
-  std::vector<base::ZipEntry> entries{{"modelDescription.xml", xml}};
-  for (const Library& library : carried) {
-    entries.push_back(
-        {fmt::format("binaries/{}/{}{}", library.platform, identifier, library.extension), library.bytes});
-    file.platforms.emplace_back(library.platform);
-  }
-  entries.push_back({fmt::format("resources/{}", resource), block});
-  file.bytes = base::zip_stored(entries);
-  return file;
-}
-
 }  // namespace
 
 std::string bit_block(const bitrock_description& description, double threshold_weight, const std::string& guid) {
@@ -101,7 +65,7 @@ FmuFile fmu_file(const runtime::Bit& bit, const surrogate::Model& model) {
   const runtime::CoreDescription description = runtime::describe(bit, model);
   constexpr double no_threshold = 0.0;  // [N] a parameter of the FMU, unknown to a bit file
   return packed(
-      bit_identifier, bit_block_file,
+      Inside::bit, bit_identifier, bit_block_file,
       [&](const std::string& guid) { return bit_block(description.plain, no_threshold, guid); },
       [&](const std::string& guid) { return model_description(bit, model, guid); });
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 
@@ -21,12 +22,13 @@ struct Unit {
   const char* display_name;  ///< empty: none
   double display_factor;
 };
-constexpr std::array<Unit, 6> units{{{"rad/s", "rad=\"1\" s=\"-1\"", "rpm", 30.0 / pi},
+constexpr std::array<Unit, 7> units{{{"rad/s", "rad=\"1\" s=\"-1\"", "rpm", 30.0 / pi},
                                      {"rad", "rad=\"1\"", "deg", 180.0 / pi},
                                      {"m/s", "m=\"1\" s=\"-1\"", "m/h", 3600.0},
                                      {"m", "m=\"1\"", "mm", 1e3},
                                      {"s", "s=\"1\"", "", 1.0},
-                                     {"N", "kg=\"1\" m=\"1\" s=\"-2\"", "kN", 1e-3}}};
+                                     {"N", "kg=\"1\" m=\"1\" s=\"-2\"", "kN", 1e-3},
+                                     {"Pa", "kg=\"1\" m=\"-1\" s=\"-2\"", "MPa", 1e-6}}};
 constexpr const char* torque_unit =
     "    <Unit name=\"N.m\"><BaseUnit kg=\"1\" m=\"2\" s=\"-2\"/></Unit>\n";  // not J: nothing is shown in it
 
@@ -51,9 +53,15 @@ std::string attribute_text(std::string_view text) {
   return safe;
 }
 
-std::string unit_definitions() {
+bool is_used(std::string_view unit, const std::vector<DescribedVariable>& variables) {
+  return std::any_of(variables.begin(), variables.end(),
+                     [&](const DescribedVariable& described) { return unit == described.variable.unit; });
+}
+
+std::string unit_definitions(const std::vector<DescribedVariable>& variables) {
   std::string text = "  <UnitDefinitions>\n";
   for (const Unit& unit : units) {
+    if (!is_used(unit.name, variables)) continue;
     text += fmt::format("    <Unit name=\"{}\"><BaseUnit {}/>", unit.name, unit.exponents);
     if (*unit.display_name != '\0')
       text += fmt::format("<DisplayUnit name=\"{}\" factor=\"{}\"/>", unit.display_name, unit.display_factor);
@@ -152,7 +160,7 @@ constexpr const char* head = R"(<?xml version="1.0" encoding="UTF-8"?>
 )";
 
 constexpr const char* middle = R"(  <LogCategories>
-    <Category name="logStatusError" description="a call that failed and changed nothing"/>
+    <Category name="logStatusError" description="a call that failed, and why"/>
   </LogCategories>
   <DefaultExperiment startTime="0" stopTime="{}" stepSize="{}"/>
 )";
@@ -172,7 +180,7 @@ DescribedVariable described(unsigned reference, const Variable& variable, const 
 std::string text_of(const ModelDescription& d) {
   std::string text =
       fmt::format(head, attribute_text(d.name), d.guid, attribute_text(d.about), base::version, d.identifier);
-  text += unit_definitions();
+  text += unit_definitions(d.variables);
   if (!d.lists.empty()) text += "  <TypeDefinitions>\n" + d.lists + "  </TypeDefinitions>\n";
   text += fmt::format(middle, d.stop_time, d.step);
   return text + model_variables(d.variables) + model_structure(d.variables) + "</fmiModelDescription>\n";
