@@ -91,7 +91,8 @@ std::string typed_element(const DescribedVariable& described) {
       text = fmt::format("<Enumeration declaredType=\"{}\"", variable.list);
   }
   if (*variable.unit != '\0') text += fmt::format(" unit=\"{}\"", variable.unit);
-  if (*display_unit(variable.unit) != '\0') text += fmt::format(" displayUnit=\"{}\"", display_unit(variable.unit));
+  if (described.in_display_unit && *display_unit(variable.unit) != '\0')
+    text += fmt::format(" displayUnit=\"{}\"", display_unit(variable.unit));
   text += described.bounds;
   if (variable.causality != Causality::output) text += fmt::format(" start=\"{}\"", described.start);
   return text + "/>";

@@ -10,13 +10,14 @@ namespace bitrock::fmu {
 
 /// A variable and what only the description says of it.
 struct DescribedVariable {
-  unsigned reference = 0;      ///< its value reference
-  Variable variable;           ///< causality, type and unit
-  std::string name;            ///< that of the variable, or a number of its own
-  std::string description;     ///< for people
-  std::string start;           ///< value at the start of what the host sets
-  std::string bounds;          ///< attributes ` min="0"` and ` max="2"`; may be reached
-  bool known_at_start = true;  ///< an output: what is set before the start has no influence on its first value
+  unsigned reference = 0;       ///< its value reference
+  Variable variable;            ///< causality, type and unit
+  std::string name;             ///< that of the variable, or a number of its own
+  std::string description;      ///< for people
+  std::string start;            ///< value at the start of what the host sets
+  std::string bounds;           ///< attributes ` min="0"` and ` max="2"`; may be reached
+  bool in_display_unit = true;  ///< shown in the other unit of its unit, where there is one
+  bool known_at_start = true;   ///< an output: what is set before the start has no influence on its first value
 };
 
 /// The reference, the table's entry, and its texts.

@@ -83,7 +83,10 @@ std::string string_description(const StringContent& content, const StringNames& 
     variables.back().name = fmt::format("stress_{}_Pa", i + 1);
     variables.back().description += ": " + names.stress_points[i];
   }
-  for (DescribedVariable& variable : variables) variable.known_at_start = false;
+  for (DescribedVariable& variable : variables) {
+    variable.known_at_start = false;
+    variable.in_display_unit = std::string_view(variable.variable.unit) != "m";  // not in mm: depths of a well
+  }
   return text_of(description);
 }
 

@@ -3,7 +3,6 @@
 #include "base/text.hpp"
 #include "runtime/bit/core_description.hpp"
 #include "runtime/fmu/fmu_file.hpp"
-#include "runtime/fmu/string_block.hpp"
 #include "runtime/fmu/string_description.hpp"
 #include "runtime/fmu/string_variables.hpp"
 #include "runtime/well/well_run.hpp"
@@ -19,21 +18,6 @@ std::string words_of(StringContent content) {
   WordWriter writer{words.data()};
   pass(writer, content);
   return words;
-}
-
-std::string string_block(const StringContent& content, const std::string& bit, const std::string& guid) {
-  std::string body = guid;
-  body.resize(guid_bytes, '\0');
-  body += words_of(content);
-  std::string head(block_checked_from + 8, '\0');
-  WordWriter{head.data() + block_checked_from}.word(std::uint64_t{bit.size()});
-  body += head.substr(block_checked_from) + bit;
-  WordWriter writer{head.data()};
-  writer.word(string_block_magic);
-  writer.word(string_block_version);
-  writer.word(std::uint64_t{block_checked_from + body.size()});
-  writer.word(base::fingerprint(body));
-  return head.substr(0, block_checked_from) + body;
 }
 
 StringContent common_content(const runtime::DrillCase& drill) {
@@ -61,6 +45,21 @@ FmuFile file_of(const runtime::DrillCase& drill, const StringContent& content,
 }
 
 }  // namespace
+
+std::string string_block(const StringContent& content, const std::string& bit, const std::string& guid) {
+  std::string body = guid;
+  body.resize(guid_bytes, '\0');
+  body += words_of(content);
+  std::string head(block_checked_from + 8, '\0');
+  WordWriter{head.data() + block_checked_from}.word(std::uint64_t{bit.size()});
+  body += head.substr(block_checked_from) + bit;
+  WordWriter writer{head.data()};
+  writer.word(string_block_magic);
+  writer.word(string_block_version);
+  writer.word(std::uint64_t{block_checked_from + body.size()});
+  writer.word(base::fingerprint(body));
+  return head.substr(0, block_checked_from) + body;
+}
 
 FmuFile fmu_file(const runtime::DrillCase& drill, const std::optional<surrogate::Model>& model) {
   StringContent content = common_content(drill);

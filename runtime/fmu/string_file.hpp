@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "runtime/fmu/archive.hpp"
+#include "runtime/fmu/string_block.hpp"
 #include "runtime/well/well_run.hpp"
 
 namespace bitrock::fmu {
@@ -17,5 +18,9 @@ FmuFile fmu_file(const runtime::DrillCase& drill, const std::optional<surrogate:
 /// The same of a case with a well, whose stations are known. Brings the string to rest, which takes as long as 12 s of
 /// a run.
 FmuFile fmu_file(const runtime::WellCase& well, const std::optional<surrogate::Model>& model);
+
+/// The bytes of `resources/string.block`. `bit`: those of a bit block, or none. The guid is left empty when it is not
+/// known yet.
+std::string string_block(const StringContent& content, const std::string& bit, const std::string& guid);
 
 }  // namespace bitrock::fmu

@@ -39,25 +39,12 @@ const char* renew_core(StringSlave& slave) {
   return status == BITROCK_OK ? nullptr : bitrock_status_text(status);
 }
 
-runtime::BitRockSource source_of(StringSlave& slave) {
-  const runtime::SourceCase& source = slave.block.content.source;
-  if (source.kind != runtime::SourceKind::bit)
-    return runtime::simple_excitation(source, static_cast<std::uint64_t>(slave.settings.seed));
-  return [&slave](const runtime::BitMotion& motion) {
-    bitrock_load load{};
-    const bitrock_status status =
-        bitrock_core_update(slave.core, motion.angle, motion.rotation, motion.rate_of_penetration, &load);
-    if (status != BITROCK_OK) slave.fault = status;
-    return runtime::BitLoad{.axial_force = load.axial_force_N, .torque = load.torque_N_m};
-  };
-}
-
 /// The string at its start, for the present settings.
 void begin(StringSlave& slave) {
   const StringContent& content = slave.block.content;
   const StringSettings& settings = slave.settings;
   StringMoment& moment = slave.moment;
-  slave.source = source_of(slave);
+  renew_source(slave);
   moment.steps = 0;
   moment.start = slave.clock.time;
   moment.drive = content.plane.drive;
@@ -161,9 +148,11 @@ void take_inputs(StringSlave& slave) {
 
 const char* fill(StringSlave& slave, std::size_t size) {
   // the lists of the engine cannot say that there is no memory: so they are asked for together, before
-  void* const room = std::malloc(8 * size + (std::size_t{1} << 18));
+  void* volatile room =
+      std::malloc(8 * size + (std::size_t{1} << 18));  // or a compiler sees that nothing is done with it
+  const bool enough = room != nullptr;
   std::free(room);
-  if (room == nullptr) return "no memory";
+  if (!enough) return "no memory";
   if (const char* const reason = read_string_block(slave.bytes, size, slave.block); reason != nullptr) return reason;
   slave.plane = slave.block.content.plane;
   slave.well = slave.block.content.well;
@@ -174,6 +163,21 @@ const char* fill(StringSlave& slave, std::size_t size) {
 }
 
 }  // namespace
+
+void renew_source(StringSlave& slave) {
+  const runtime::SourceCase& source = slave.block.content.source;
+  if (source.kind != runtime::SourceKind::bit) {
+    slave.source = runtime::simple_excitation(source, static_cast<std::uint64_t>(slave.settings.seed));
+    return;
+  }
+  slave.source = [&slave](const runtime::BitMotion& motion) {
+    bitrock_load load{};
+    const bitrock_status status =
+        bitrock_core_update(slave.core, motion.angle, motion.rotation, motion.rate_of_penetration, &load);
+    if (status != BITROCK_OK) slave.fault = status;
+    return runtime::BitLoad{.axial_force = load.axial_force_N, .torque = load.torque_N_m};
+  };
+}
 
 void take_from_moment(StringSlave& slave) {
   slave.plane.drive = slave.moment.drive;

@@ -140,6 +140,7 @@ const char* restore(Slave& slave, const char* state, std::size_t size) {
   whole.settings = settings;
   std::swap(whole.moment, whole.tried);
   take_from_moment(whole);
+  renew_source(whole);
   return nullptr;
 }
 

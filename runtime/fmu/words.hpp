@@ -24,7 +24,7 @@ struct WordCount {
   }
   /// A list has its own length.
   template <class Item>
-  void length(const std::vector<Item>&) {
+  void length(const std::vector<Item>&, std::size_t) {
     ++words;
   }
 };
@@ -46,7 +46,7 @@ struct WordWriter {
   }
   /// Its length.
   template <class Item>
-  void length(const std::vector<Item>& list) {
+  void length(const std::vector<Item>& list, std::size_t) {
     word(std::uint64_t{list.size()});
   }
 };
@@ -79,13 +79,14 @@ struct WordReader {
       number = static_cast<Number>(good ? whole : 0);
     }
   }
-  /// A list of that many; each item has at least a word, so a length that is too large is found.
+  /// A list of that many. Each item has so many words, or more: a length that is too large is found before it takes
+  /// memory.
   template <class Item>
-  void length(std::vector<Item>& list) {
+  void length(std::vector<Item>& list, std::size_t words_an_item) {
     std::uint64_t count = 0;
     word(count);
     if (keeps_lengths) good = good && count == list.size();
-    good = good && count <= static_cast<std::uint64_t>(end - at) / 8;
+    good = good && count <= static_cast<std::uint64_t>(end - at) / (8 * words_an_item);
     if (good && !keeps_lengths) list.resize(count);
   }
 };
@@ -99,7 +100,10 @@ requires(std::is_arithmetic_v<Number> || std::is_enum_v<Number>) void pass(Io& i
 /// A list.
 template <class Io, class Item>
 void pass(Io& io, std::vector<Item>& list) {
-  io.length(list);
+  WordCount one;
+  Item empty{};
+  pass(one, empty);
+  io.length(list, one.words);
   for (Item& item : list) pass(io, item);
 }
 

@@ -56,7 +56,21 @@ TEST_F(StringFmu, AStateInMidRunBringsTheSameBitsAgainInAWell) {
   expect_exact_states(fmu, 330, "set_block_speed_m_per_s", 0.0);
 }
 
-TEST_F(StringFmu, AStateGoesOnWithSeedAndParameters) {
+TEST_F(StringFmu, AStateGoesOnWithSeedAndParametersInAWell) {
+  const StringFile fmu = exported(written("short", fmu_test::short_well));
+  StringInstance first(fmu), second(fmu);
+  ASSERT_EQ(first.choose("seed", 77), importer::ok);
+  ASSERT_EQ(first.set("hole_friction_factor", 1.5), importer::ok);
+  for (StringInstance* string : {&first, &second}) ASSERT_EQ(string->start(), importer::ok);
+  run(first, 0, 1250);  // the bit is on the rock, whose noise the seed draws
+  ASSERT_EQ(second.fmu.set_state(first.fmu.state()), importer::ok) << second.fmu.log;
+  EXPECT_EQ(second.whole("seed"), 77);
+  EXPECT_EQ(second["hole_friction_factor"], 1.5);
+  EXPECT_NE(second["source_force_N"], 0.0);
+  EXPECT_EQ(run(second, 1250, 50), run(first, 1250, 50));
+}
+
+TEST_F(StringFmu, AStateGoesOnWithSeedAndParametersInTwoDimensions) {
   const StringFile fmu = exported(source / "campaigns/drill/normal.toml");
   StringInstance first(fmu), second(fmu), other(fmu);
   ASSERT_EQ(first.choose("seed", 77), importer::ok);

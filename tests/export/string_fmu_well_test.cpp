@@ -72,7 +72,7 @@ TEST_F(StringFmu, GivesTheSameBitsWhenTheHostDoesWhatThePlanDoes) {
   const fs::path file = written("short", fmu_test::short_well);
   const runtime::WellCase well = runtime::read_well_case(file);
   const runtime::WellString engine = runtime::assemble(well);
-  const runtime::DrillSource source = source_of(well);
+  const runtime::DrillSource rock = source_of(well);
   const double h = runtime::step_of(well.drill.run);
   runtime::WellStringState state = runtime::brought_to_rest(well, engine);
   runtime::RigState rig;
@@ -83,7 +83,7 @@ TEST_F(StringFmu, GivesTheSameBitsWhenTheHostDoesWhatThePlanDoes) {
   double time = 0.0;
   for (int i = 0; i < 36000; ++i) {
     const runtime::RigControls controls = runtime::controls(well.plan, rig, state, h);
-    advance(engine, state, controls, source.load, h);
+    advance(engine, state, controls, rock.load, h);
     ASSERT_EQ(string.set("set_block_speed_m_per_s", controls.feed_speed), importer::ok);
     ASSERT_EQ(string.set("set_rotation_rad_per_s", controls.drive_speed), importer::ok);
     ASSERT_EQ(string.step(time, h * (i + 1)), importer::ok) << string.fmu.log;

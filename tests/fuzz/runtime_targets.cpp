@@ -12,6 +12,7 @@
 #include "runtime/fmu/fmu_file.hpp"
 #include "runtime/fmu/resource.hpp"
 #include "runtime/fmu/slave.hpp"
+#include "runtime/fmu/string_file.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
@@ -141,6 +142,22 @@ void make_and_step(std::string_view bytes) {
   if (!told.empty()) throw base::InputError(told);
 }
 
+/// A pendulum in torsion.
+std::string small_string_block() {
+  fmu::StringContent content{.step = 1e-3};
+  content.plane.torsional = {.inertia = {1.0}, .stiffness = {1.0}, .damping = {0.0}, .wall_damping = {0.0}};
+  return fmu::string_block(content, "", "{00000000-0000-0000-0000-000000000000}");
+}
+
+void read_string(std::string_view bytes) {
+  const std::string block = good_block(bytes);
+  std::vector<std::uint64_t> words(block.size() / 8 + 1);  // read in place, from an address divisible by 8
+  std::memcpy(words.data(), block.data(), block.size());
+  fmu::StringBlock read;
+  const char* const reason = fmu::read_string_block(words.data(), block.size(), read);
+  if (reason != nullptr) throw base::InputError(reason);
+}
+
 }  // namespace
 
 std::vector<Target> runtime_targets() {
@@ -149,6 +166,7 @@ std::vector<Target> runtime_targets() {
       {.name = "fmu_block",
        .read = make_and_step,
        .seeds = {fmu::bit_block(description().plain, 0.0, "{00000000-0000-0000-0000-000000000000}")}},
+      {.name = "string_fmu_block", .read = read_string, .seeds = {small_string_block()}},
       {.name = "fmu_folder",
        .read =
            [](std::string_view bytes) {
