@@ -8,7 +8,8 @@ set(fmu_common fmu/bit_block.cpp fmu/core_memory.cpp fmu/fmu.cpp fmu/resource.cp
 set(fmu_bit_sources ${fmu_common} fmu/bit_slave.cpp fmu/bit_values.cpp)
 # and the steps of both strings, without what reads and checks cases
 set(fmu_string_sources
-    ${fmu_common} fmu/string_block.cpp fmu/string_slave.cpp fmu/string_state.cpp fmu/string_values.cpp
+    ${fmu_common} fmu/string_block.cpp fmu/string_slave.cpp fmu/string_start.cpp fmu/string_state.cpp
+    fmu/string_values.cpp
     drillstring/bit_rock.cpp drillstring/chain.cpp drillstring/drill_string.cpp drillstring/excitation.cpp
     well/bit_end.cpp well/rig.cpp well/segment_motion.cpp well/soundness.cpp well/split_top.cpp well/step.cpp
     well/stress.cpp well/top_end.cpp well/well_foot.cpp well/well_string.cpp)

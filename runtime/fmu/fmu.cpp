@@ -170,8 +170,9 @@ const char* step_objection(const Clock& clock, double begin, double size) {
 }
 
 const char* copied(const char* text, char*& copy) {
-  copy = static_cast<char*>(std::malloc(std::strlen(text) + 1));
-  return copy == nullptr ? nullptr : std::strcpy(copy, text);
+  const std::size_t size = std::strlen(text) + 1;
+  copy = static_cast<char*>(std::malloc(size));
+  return copy == nullptr ? nullptr : static_cast<const char*>(std::memcpy(copy, text, size));
 }
 
 /// Reads the resource into the instance; null, or the reason, for which `room` may be used.

@@ -40,6 +40,8 @@ struct StringSlave : Slave {
 /// Why these cannot be used; null when they can.
 const char* objection_to(const StringSettings& settings);
 
+/// The string at its start, for the present settings; the reason where it cannot begin.
+const char* begin(StringSlave& slave);
 /// What the string feels, with the seed of the settings.
 void renew_source(StringSlave& slave);
 /// Drive, imposed weight and friction of the hole into the parts that do not change in a step.

@@ -18,6 +18,7 @@ void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
+// NOLINTBEGIN(bugprone-reserved-identifier): the names are the library's
 namespace std {
 
 void __throw_bad_array_new_length() {
@@ -37,3 +38,4 @@ void __throw_logic_error(const char*) {
 }
 
 }  // namespace std
+// NOLINTEND(bugprone-reserved-identifier)
