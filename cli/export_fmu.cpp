@@ -39,7 +39,7 @@ void write(const Options& options, const std::string& output, const fmu::FmuFile
 
 /// The file of the flag, or the usual one.
 std::string output_of(const Options& options, const std::string& usual) {
-  const std::string output = options.output.empty() ? usual : options.output;
+  std::string output = options.output.empty() ? usual : options.output;
   if (std::filesystem::path(output).extension() != ".fmu")
     throw base::InputError(fmt::format("{} (an FMU must end in .fmu)", output));
   return output;
