@@ -109,6 +109,7 @@ DrillString assemble(const DrillCase& drill) {
   }
   require_sensible(drill.name, "axial", string.axial);
   require_sensible(drill.name, "torsional", string.torsional);
+  require_consistent(string);
   return string;
 }
 

@@ -75,6 +75,11 @@ struct BitRockState {
   MovingAverage smooth_rotation, smooth_advance;  ///< of the bit, for the cutting conditions
 };
 
+/// Of the rock on the bit, against forward turning: friction and fracture [N m].
+inline double torque_on_bit(const BitRockState& bit) {
+  return bit.friction_torque + bit.fracture_torque;
+}
+
 /// The law of advance at a rotation of the bit [rad/s]. `none`: no advance.
 AdvanceLine advance_at(const BitRock& bit, double rotation);
 

@@ -15,25 +15,6 @@
 
 namespace bitrock::runtime {
 
-/// What shakes the bit.
-enum class SourceKind {
-  none,        ///< nothing: no force and no torque of cutting
-  sinusoidal,  ///< waves over the angle of the bit
-  noise,       ///< a random number for each piece of the angle
-  bit          ///< the cutters of a bit, by the networks
-};
-
-/// What shakes the bit, and how much.
-struct SourceCase {
-  SourceKind kind = SourceKind::none;  ///< which one
-  Excitation force;                    ///< [N] of the simple kinds
-  Excitation torque;                   ///< [N m]
-  double waves_per_turn = 1.0;         ///< sinusoidal
-  double piece_angle = 0.01;           ///< [rad] noise
-  int seed = -1;                       ///< of noise or bit; -1: 1, or what the bit file says
-  std::string model_file;              ///< of the networks; empty: to be given at the command line
-};
-
 /// How long, and how fine.
 struct DrillSchedule {
   double duration = 0.0;    ///< [s]

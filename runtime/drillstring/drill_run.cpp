@@ -29,10 +29,6 @@ struct Observed {
   Longest stop, flight;
 };
 
-double torque_on_bit(const DrillState& state) {
-  return state.friction_torque + state.fracture_torque;
-}
-
 void observe(const DrillState& state, Observed& seen) {
   const double rotation = state.torsional.velocity.back();
   seen.rotation.add(rotation);
@@ -53,30 +49,22 @@ void observe(const DrillState& state, Observed& seen) {
 /// `face` [m]: of the rock at the beginning, from where the string counts its own places. Both differ by the lift of a
 /// bit that begins off bottom.
 void record(const DrillString& string, const DrillState& state, double face, DrillSeries& series) {
-  const Drive drive = drive_at(string.drive, state.time);
-  const bool imposed = string.drive.imposes_speed;
   series.time_s.push_back(state.time);
   series.bit_rotation_rad_per_s.push_back(state.torsional.velocity.back());
-  series.table_rotation_rad_per_s.push_back(imposed ? drive.velocity : state.torsional.velocity.front());
+  series.table_rotation_rad_per_s.push_back(table_rotation(string, state));
   series.weight_on_bit_N.push_back(state.weight_on_bit);
   series.source_force_N.push_back(state.source_force);
   series.rop_m_per_s.push_back(state.rate_of_penetration);
   series.torque_on_bit_N_m.push_back(torque_on_bit(state));
   series.fracture_torque_N_m.push_back(state.fracture_torque);
-  series.drive_torque_N_m.push_back(imposed ? drive_reaction(string.torsional, state.torsional, drive)
-                                            : drive_torque_at(string.drive, state.time));
-  series.bit_depth_m.push_back((string.axial.size() > 0 ? state.axial.position.back() : state.face) - face);
+  series.drive_torque_N_m.push_back(table_torque(string, state));
+  series.bit_depth_m.push_back(bit_position(string, state) - face);
   series.face_depth_m.push_back(state.face - face);
   series.progression_angle_rad.push_back(state.progression);
 }
 
 void require_finite(const DrillState& state) {
-  const auto finite = [](const std::vector<double>& values) {
-    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-  };
-  if (finite(state.axial.velocity) && finite(state.torsional.velocity) && std::isfinite(state.weight_on_bit) &&
-      std::isfinite(torque_on_bit(state)) && std::isfinite(state.face))
-    return;
+  if (is_finite(state)) return;
   throw base::SimulationError(
       fmt::format("at {:.6g} s a speed or force of the drill string is no longer a finite number (a shorter "
                   "run.step_ms helps where a vibration grows without limit)",
@@ -112,28 +100,28 @@ DrillSummary summary_of(const DrillString& string, const DrillState& state, cons
 
 }  // namespace
 
-DrillSource make_source(const DrillCase& drill, const std::optional<surrogate::Model>& model) {
-  const SourceCase& source = drill.source;
-  const auto seed = [&](std::uint64_t otherwise) {
-    return source.seed >= 0 ? static_cast<std::uint64_t>(source.seed) : otherwise;
-  };
-  switch (source.kind) {
-    case SourceKind::none:
-      return {.load = no_excitation()};
-    case SourceKind::sinusoidal:
-      return {.load = sinusoidal_excitation(source.force, source.torque, source.waves_per_turn)};
-    case SourceKind::noise:
-      return {.load = noise_excitation(source.force, source.torque, source.piece_angle, seed(1))};
-    case SourceKind::bit:
-      break;
-  }
-  if (!model)
-    throw base::InputError(drill.name + ": the source 'bit' needs a model (excitation.model in the case, or --model)");
+std::uint64_t seed_of(const DrillCase& drill) {
+  if (drill.source.seed >= 0) return static_cast<std::uint64_t>(drill.source.seed);
+  return drill.source.kind == SourceKind::bit ? drill.bit.signal.seed : 1;
+}
+
+Bit seeded_bit(const DrillCase& drill) {
   Bit bit = drill.bit;
-  bit.signal.seed = seed(bit.signal.seed);
-  DrillSource result{.bit = std::make_shared<BitForce>(bit, *model)};
+  bit.signal.seed = seed_of(drill);
+  return bit;
+}
+
+DrillSource make_source(const DrillCase& drill, const std::optional<surrogate::Model>& model) {
+  if (drill.source.kind != SourceKind::bit) return {.load = simple_excitation(drill.source, seed_of(drill))};
+  require_model(drill, model);
+  DrillSource result{.bit = std::make_shared<BitForce>(seeded_bit(drill), *model)};
   result.load = bit_excitation(*result.bit);
   return result;
+}
+
+void require_model(const DrillCase& drill, const std::optional<surrogate::Model>& model) {
+  if (drill.source.kind == SourceKind::bit && !model)
+    throw base::InputError(drill.name + ": the source 'bit' needs a model (excitation.model in the case, or --model)");
 }
 
 std::string other_rock(const DrillCase& drill, const surrogate::Model& model) {

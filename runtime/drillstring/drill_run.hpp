@@ -2,6 +2,7 @@
 /// A drilling case from beginning to end: many steps, a history of what a rig would like to see, and a summary that
 /// sees every step. It writes no files.
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -63,6 +64,15 @@ struct DrillRun {
   long long steps = 0;     ///< taken in all
   double wall_time = 0.0;  ///< [s] on the clock
 };
+
+/// Seed of the draws of the source: of the case, or else of its bit, or else 1.
+std::uint64_t seed_of(const DrillCase& drill);
+
+/// The bit of the case with that seed.
+Bit seeded_bit(const DrillCase& drill);
+
+/// Throws `InputError` when the source needs a model, and there is none.
+void require_model(const DrillCase& drill, const std::optional<surrogate::Model>& model);
 
 /// The source of the case, and the bit behind it where there is one. Throws `InputError` when the model is missing.
 struct DrillSource {

@@ -1,12 +1,9 @@
 #include "runtime/drillstring/drill_string.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "base/errors.hpp"
 #include "runtime/laws/karnopp.hpp"
 #include "runtime/signal/step5.hpp"
 
@@ -152,27 +149,6 @@ void settle(const DrillString& string, DrillState& state, const BitRockSource& s
   state.power = power;
 }
 
-void require_consistent(const DrillString& string) {
-  const auto refuse = [](const std::string& what) { throw base::InputError("drill string: " + what); };
-  if (string.torsional.size() == 0) refuse("no torsional lump (needs at least one)");
-  for (const Chain* chain : {&string.axial, &string.torsional}) {
-    const std::size_t n = chain->size();
-    if (chain->stiffness.size() != n || chain->damping.size() != n || chain->wall_damping.size() != n)
-      refuse("lists of inertias, stiffnesses and dampings differ in length");
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!(chain->inertia[i] > 0.0))
-        refuse(fmt::format("lump {} has inertia {} (must be above 0)", i, chain->inertia[i]));
-      if (i > 0 && !(chain->stiffness[i] > 0.0))
-        refuse(fmt::format("the spring above lump {} has stiffness {} (must be above 0)", i, chain->stiffness[i]));
-    }
-  }
-  if (string.weights.size() != string.axial.size()) refuse("one weight an axial lump is needed");
-  if (!string.wall_moment.empty() && string.wall_moment.size() != string.torsional.size())
-    refuse("one wall moment a torsional lump is needed");
-  if (!(string.bit.fracture_stiffness > 0.0)) refuse("the fracture stiffness must be above 0");
-  if (string.axial.size() > 0 && !(string.bit.contact.stiffness > 0.0)) refuse("the rock's stiffness must be above 0");
-}
-
 void begin_chain(const Chain& chain, ChainMotion& motion, ChainRoom& room) {
   motion.position.assign(chain.size(), 0.0);
   motion.velocity.assign(chain.size(), 0.0);
@@ -195,14 +171,53 @@ void place_on_bottom(const DrillString& string, double weight, std::vector<doubl
 
 Drive drive_at(const TopDrive& drive, double time) {
   if (!drive.imposes_speed) return {};
-  if (drive.ramp <= 0.0) return {drive.rotation * time, drive.rotation};
-  const double s = time / drive.ramp;
-  if (s >= 1.0) return {drive.rotation * (time - 0.5 * drive.ramp), drive.rotation};
-  return {drive.rotation * drive.ramp * s * s * s * s * (2.5 + s * (s - 3.0)), drive.rotation * smooth_unit_step(s)};
+  const double t = time - drive.since, more = drive.rotation - drive.rotation_then;
+  if (drive.ramp <= 0.0) return {drive.angle_then + drive.rotation * t, drive.rotation};
+  const double s = t / drive.ramp;
+  if (s >= 1.0)
+    return {drive.angle_then + (drive.rotation * (t - 0.5 * drive.ramp) + drive.rotation_then * 0.5 * drive.ramp),
+            drive.rotation};
+  return {drive.angle_then + (more * drive.ramp * s * s * s * s * (2.5 + s * (s - 3.0)) + drive.rotation_then * t),
+          drive.rotation_then + more * smooth_unit_step(s)};
 }
 
 double drive_torque_at(const TopDrive& drive, double time) {
-  return drive.ramp > 0.0 ? step5(time, 0.0, 0.0, drive.ramp, drive.torque) : drive.torque;
+  if (drive.ramp <= 0.0) return drive.torque;
+  return step5(time, drive.since, drive.torque_then, drive.since + drive.ramp, drive.torque);
+}
+
+TopDrive redirected(const TopDrive& drive, double time, double rotation, double torque) {
+  const Drive now = drive_at(drive, time);
+  TopDrive next = drive;
+  next.rotation = rotation;
+  next.torque = torque;
+  next.since = time;
+  next.angle_then = now.position;
+  next.rotation_then = now.velocity;
+  next.torque_then = drive_torque_at(drive, time);
+  return next;
+}
+
+double table_rotation(const DrillString& string, const DrillState& state) {
+  return string.drive.imposes_speed ? drive_at(string.drive, state.time).velocity : state.torsional.velocity.front();
+}
+
+double table_torque(const DrillString& string, const DrillState& state) {
+  return string.drive.imposes_speed
+             ? drive_reaction(string.torsional, state.torsional, drive_at(string.drive, state.time))
+             : drive_torque_at(string.drive, state.time);
+}
+
+double bit_position(const DrillString& string, const DrillState& state) {
+  return string.axial.size() > 0 ? state.axial.position.back() : state.face;
+}
+
+bool is_finite(const DrillState& state) {
+  const auto finite = [](const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  };
+  return finite(state.axial.velocity) && finite(state.torsional.velocity) && std::isfinite(state.weight_on_bit) &&
+         std::isfinite(torque_on_bit(state)) && std::isfinite(state.face);
 }
 
 double static_weight_on_bit(const DrillString& string) {
@@ -212,7 +227,6 @@ double static_weight_on_bit(const DrillString& string) {
 }
 
 DrillState beginning(const DrillString& string, const BitRockSource& source, bool turning, double off_bottom) {
-  require_consistent(string);
   DrillState state;
   begin_chain(string.axial, state.axial, state.axial_room);
   begin_chain(string.torsional, state.torsional, state.torsional_room);

@@ -12,17 +12,26 @@ namespace bitrock::runtime {
 
 /// Rotation imposed on the first spring, or torque on a drive that is itself the first lump of the torsional chain.
 struct TopDrive {
-  bool imposes_speed = true;  ///< otherwise a torque
-  double rotation = 0.0;      ///< [rad/s] 0 or more, where it imposes speed
-  double torque = 0.0;        ///< [N m] where it does not
-  double ramp = 0.0;          ///< [s] both grow from 0 to full with `step5` in this time; 0: at once
-  double hook_load = 0.0;     ///< [N] upwards on the first axial lump
+  bool imposes_speed = true;                     ///< otherwise a torque
+  double rotation = 0.0;                         ///< [rad/s] 0 or more, where it imposes speed
+  double torque = 0.0;                           ///< [N m] where it does not
+  double ramp = 0.0;                             ///< [s] both grow from 0 to full with `step5` in this time; 0: at once
+  double hook_load = 0.0;                        ///< [N] upwards on the first axial lump
+  double since = 0.0;                            ///< [s] time at which it began to go to this rotation or torque
+  double angle_then = 0.0, rotation_then = 0.0;  ///< [rad], [rad/s] at that time
+  double torque_then = 0.0;                      ///< [N m] at that time
 };
 
-/// Angle and speed of an imposing drive at time t: the integral of step5, S(s) = 5/2 s^4 - 3 s^5 + s^6.
+/// **What** Angle and speed of an imposing drive at time t.
+/// **Equation** omega = omega_0 + (omega_1 - omega_0) step5(s), theta = theta_0 + omega_0 (t - t_0) +
+/// (omega_1 - omega_0) T S(s), S(s) = 5/2 s^4 - 3 s^5 + s^6 the integral of step5; s = (t - t_0) / T, from 0 to 1.
+/// **Symbols** t_0 [s] `since`; T [s] ramp; omega_0, theta_0 of then; omega_1 [rad/s] `rotation`.
 Drive drive_at(const TopDrive& drive, double time);
 /// Torque [N m] of a drive that imposes it.
 double drive_torque_at(const TopDrive& drive, double time);
+/// The drive, which at `time` [s] begins to go from where it is to another rotation [rad/s] or torque [N m], in its
+/// ramp.
+TopDrive redirected(const TopDrive& drive, double time, double rotation, double torque);
 
 /// Parts that do not change.
 struct DrillString {
@@ -58,9 +67,12 @@ struct DrillState : BitRockState {
   ChainRoom axial_room, torsional_room;  ///< what a step needs in between
 };
 
-/// State at the beginning. `turning`: already at the speed of the drive, without twist; otherwise at rest. The axial
-/// chain is in balance on the bottom when its weight exceeds hook load and jets; `off_bottom` [m] above 0 lifts the
-/// bit, unstretched. Throws `InputError` when the chains and lists do not fit together.
+/// Throws `InputError` when the chains and lists do not fit together.
+void require_consistent(const DrillString& string);
+
+/// State at the beginning of a string that is consistent. `turning`: already at the speed of the drive, without twist;
+/// otherwise at rest. The axial chain is in balance on the bottom when its weight exceeds hook load and jets;
+/// `off_bottom` [m] above 0 lifts the bit, unstretched.
 DrillState beginning(const DrillString& string, const BitRockSource& source, bool turning, double off_bottom);
 
 /// **What** One step of `h` seconds.
@@ -76,6 +88,16 @@ void advance(const DrillString& string, DrillState& state, const BitRockSource& 
 
 /// Static weight on bit [N]: weight of the string less hook load and jets; imposed where it is imposed.
 double static_weight_on_bit(const DrillString& string);
+
+/// Of the top drive [rad/s].
+double table_rotation(const DrillString& string, const DrillState& state);
+/// Of the top drive on the string [N m].
+double table_torque(const DrillString& string, const DrillState& state);
+/// Where the bit is [m], downwards; on the face of the rock where there is no axial chain.
+double bit_position(const DrillString& string, const DrillState& state);
+
+/// Whether speeds and forces are numbers still.
+bool is_finite(const DrillState& state);
 
 /// Energy of motion and springs of the string [J], without the rock's.
 double stored_energy(const DrillString& string, const DrillState& state);

@@ -28,8 +28,17 @@ BitRockSource noise_excitation(const Excitation& force, const Excitation& torque
   };
 }
 
-BitRockSource bit_excitation(BitForce& bit) {
-  return [&bit](const BitMotion& motion) { return bit.at(motion); };
+BitRockSource simple_excitation(const SourceCase& source, std::uint64_t seed) {
+  switch (source.kind) {
+    case SourceKind::sinusoidal:
+      return sinusoidal_excitation(source.force, source.torque, source.waves_per_turn);
+    case SourceKind::noise:
+      return noise_excitation(source.force, source.torque, source.piece_angle, seed);
+    case SourceKind::none:
+    case SourceKind::bit:
+      break;
+  }
+  return no_excitation();
 }
 
 }  // namespace bitrock::runtime

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "runtime/bit/bit_force.hpp"
 
@@ -23,6 +24,25 @@ struct Excitation {
   double deviation = 0.0;  ///< standard deviation, 0 or more; RMS^2 = mean^2 + deviation^2
 };
 
+/// What shakes the bit.
+enum class SourceKind {
+  none,        ///< nothing: no force and no torque of cutting
+  sinusoidal,  ///< waves over the angle of the bit
+  noise,       ///< a random number for each piece of the angle
+  bit          ///< the cutters of a bit, by the networks
+};
+
+/// What shakes the bit, and how much.
+struct SourceCase {
+  SourceKind kind = SourceKind::none;  ///< which one
+  Excitation force;                    ///< [N] of the simple kinds
+  Excitation torque;                   ///< [N m]
+  double waves_per_turn = 1.0;         ///< sinusoidal
+  double piece_angle = 0.01;           ///< [rad] noise
+  int seed = -1;                       ///< of noise or bit; -1: 1, or what the bit file says
+  std::string model_file;              ///< of the networks; empty: to be given at the command line
+};
+
 /// **What** The customary excitation: harmonic in the angle of the bit.
 /// **Equation** F = mean + sqrt(2) deviation sin(n theta_bp).
 /// **Symbols** n [1] waves a turn, above 0 (3 for roller cones [YigitChristoforou2006]); theta_bp [rad].
@@ -37,7 +57,12 @@ BitRockSource sinusoidal_excitation(const Excitation& force, const Excitation& t
 BitRockSource noise_excitation(const Excitation& force, const Excitation& torque, double piece_angle,
                                std::uint64_t seed);
 
+/// The source of that kind, which is none of a bit; `seed` of noise.
+BitRockSource simple_excitation(const SourceCase& source, std::uint64_t seed);
+
 /// The networks: the load of a whole bit. `bit` must outlive the source, and remembers its windows.
-BitRockSource bit_excitation(BitForce& bit);
+inline BitRockSource bit_excitation(BitForce& bit) {
+  return [&bit](const BitMotion& motion) { return bit.at(motion); };
+}
 
 }  // namespace bitrock::runtime

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/text.hpp"
+#include "runtime/fmu/resource.hpp"
 
 namespace bitrock::fmu {
 
@@ -62,7 +63,7 @@ void read_signal(Words& words, BitBlock& block) {
 void read_cutters(Words& words, BitBlock& block) {
   std::uint64_t count = 0;
   words.read(count);
-  const char* const cutters = words.take(count <= most_block_bytes ? 4 * count : count);
+  const char* const cutters = words.take(count <= most_resource_bytes ? 4 * count : count);
   if (cutters == nullptr) return;
   block.description.cutters = reinterpret_cast<const bitrock_cutter*>(cutters);
   block.description.cutter_count = static_cast<std::int64_t>(count);

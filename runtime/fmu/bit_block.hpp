@@ -24,11 +24,10 @@
 
 namespace bitrock::fmu {
 
-inline constexpr std::uint64_t block_magic = 0x6b636f6c42746942ULL;    ///< "BitBlock"
-inline constexpr std::uint64_t block_version = 3;                      ///< of the bytes
-inline constexpr std::size_t block_checked_from = 32;                  ///< [bytes]
-inline constexpr std::size_t guid_bytes = 40;                          ///< with at least one 0 at the end
-inline constexpr std::size_t most_block_bytes = std::size_t{1} << 26;  ///< 64 MB: far above any bit, far below memory
+inline constexpr std::uint64_t block_magic = 0x6b636f6c42746942ULL;  ///< "BitBlock"
+inline constexpr std::uint64_t block_version = 3;                    ///< of the bytes
+inline constexpr std::size_t block_checked_from = 32;                ///< [bytes]
+inline constexpr std::size_t guid_bytes = 40;                        ///< with at least one 0 at the end
 
 /// What a block says. Points into its bytes; so it must not be copied away from them, nor moved itself.
 struct BitBlock {

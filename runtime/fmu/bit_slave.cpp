@@ -4,11 +4,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string_view>
 #include <type_traits>
 
 #include "base/text.hpp"
 #include "runtime/core/conditions.hpp"
+#include "runtime/fmu/bit_variables.hpp"
+#include "runtime/fmu/core_memory.hpp"
 #include "runtime/laws/progression_angle.hpp"
 
 namespace bitrock::fmu {
@@ -20,7 +23,7 @@ struct Rates {
   double rate_of_penetration = 0.0;  ///< [m/s]
 };
 
-bitrock_description description_with(const Slave& slave, const bitrock_signal& signal) {
+bitrock_description description_with(const BitSlave& slave, const bitrock_signal& signal) {
   bitrock_description description = slave.block.description;
   description.signal = signal;
   return description;
@@ -33,24 +36,11 @@ bool same(const bitrock_signal& a, const bitrock_signal& b) {
 }
 static_assert(std::has_unique_object_representations_v<Phase>, "states are copied as bytes");
 
-/// A core in memory of its own; null when there is none to be had.
-bitrock_core* new_core(const Slave& slave, const bitrock_signal& signal, bitrock_status& status) {
-  const bitrock_description description = description_with(slave, signal);
-  std::size_t bytes = 0;
-  status = bitrock_core_size(&description, &bytes);
-  if (status != BITROCK_OK) return nullptr;
-  void* const memory = std::malloc(bytes);  // divisible by 16 on the systems an FMU is built for
-  bitrock_core* core = nullptr;
-  status = memory == nullptr ? BITROCK_BAD_MEMORY : bitrock_core_create(memory, bytes, &description, &core);
-  if (status != BITROCK_OK) std::free(memory);
-  return core;
-}
-
 /// The core as it was made, with the signal of the settings.
-bitrock_status renew_core(Slave& slave) {
+bitrock_status renew_core(BitSlave& slave) {
   if (same(slave.core_signal, slave.settings.signal)) return bitrock_core_reset(slave.core);
   bitrock_status status = BITROCK_OK;
-  bitrock_core* const core = new_core(slave, slave.settings.signal, status);
+  bitrock_core* const core = new_core(description_with(slave, slave.settings.signal), status);
   if (core == nullptr) return status;
   std::free(slave.core);
   slave.core = core;
@@ -64,7 +54,7 @@ double reached(const Moment& moment) {
 }
 
 /// The load at the angle of `moment`.
-bitrock_status find_load(const Slave& slave, Moment& moment) {
+bitrock_status find_load(const BitSlave& slave, Moment& moment) {
   Rates mean;
   bitrock_core_averages(slave.core, &mean.rotation, &mean.rate_of_penetration);
   bitrock_load load{};
@@ -80,7 +70,7 @@ bitrock_status find_load(const Slave& slave, Moment& moment) {
 }
 
 /// Turns `moment` to `end` with its inputs; what may fail in the core comes before what changes its averages.
-bitrock_status turn(Slave& slave, Moment& moment, double end) {
+bitrock_status turn(BitSlave& slave, Moment& moment, double end) {
   const Inputs& inputs = moment.inputs;
   const double speed = runtime::progression(inputs.rotation, inputs.weight, slave.settings.threshold_weight);
   if (speed != moment.speed) {
@@ -120,7 +110,7 @@ std::uint64_t checksum(const StateHead& head) {
   return base::fingerprint({reinterpret_cast<const char*>(&head) + checked_from, sizeof(head) - checked_from});
 }
 
-std::size_t core_state_bytes(const Slave& slave) {
+std::size_t core_state_bytes(const BitSlave& slave) {
   std::size_t bytes = 0;
   bitrock_core_state_size(slave.core, &bytes);
   return bytes;
@@ -144,10 +134,10 @@ bool is_sound(const Moment& m) {
 }
 
 /// Restores the core from `state`; it may have been made with another signal.
-bool restore_core(Slave& slave, const bitrock_signal& signal, const char* state, std::size_t size) {
+bool restore_core(BitSlave& slave, const bitrock_signal& signal, const char* state, std::size_t size) {
   if (same(slave.core_signal, signal)) return bitrock_core_restore(slave.core, state, size) == BITROCK_OK;
   bitrock_status status = BITROCK_OK;
-  bitrock_core* const core = new_core(slave, signal, status);
+  bitrock_core* const core = new_core(description_with(slave, signal), status);
   if (core == nullptr) return false;
   if (bitrock_core_restore(core, state, size) != BITROCK_OK) {
     std::free(core);
@@ -159,85 +149,142 @@ bool restore_core(Slave& slave, const bitrock_signal& signal, const char* state,
   return true;
 }
 
-}  // namespace
+const BitSlave& bit(const Slave& slave) {
+  return static_cast<const BitSlave&>(slave);
+}
+BitSlave& bit(Slave& slave) {
+  return static_cast<BitSlave&>(slave);
+}
 
-const char* make(Slave& slave, char* bytes, std::size_t size) {
-  slave.bytes = bytes;
-  if (const char* const reason = read_bit_block(bytes, size, slave.block); reason != nullptr) return reason;
+const char* reason_of(bitrock_status status) {
+  return status == BITROCK_OK ? nullptr : bitrock_status_text(status);
+}
+
+const char* fill(BitSlave& slave, std::size_t size) {
+  if (const char* const reason = read_bit_block(slave.bytes, size, slave.block); reason != nullptr) return reason;
   slave.settings = start_settings(slave);
   slave.core_signal = slave.settings.signal;
   bitrock_status status = BITROCK_OK;
-  slave.core = new_core(slave, slave.core_signal, status);
+  slave.core = new_core(description_with(slave, slave.core_signal), status);
   return slave.core == nullptr ? bitrock_status_text(status) : nullptr;
 }
 
-void destroy(Slave& slave) {
-  std::free(slave.core);
-  std::free(slave.bytes);
-}
+}  // namespace
 
-Settings start_settings(const Slave& slave) {
+Settings start_settings(const BitSlave& slave) {
   return {.signal = slave.block.description.signal, .threshold_weight = slave.block.threshold_weight};
 }
 
-bitrock_status check(const Slave& slave, const Settings& settings) {
+bitrock_status check(const BitSlave& slave, const Settings& settings) {
   if (!(std::isfinite(settings.threshold_weight) && settings.threshold_weight >= 0.0)) return BITROCK_BAD_SIGNAL;
   const bitrock_description description = description_with(slave, settings.signal);
   std::size_t bytes = 0;
   return bitrock_core_size(&description, &bytes);
 }
 
-bitrock_status find_start(Slave& slave) {
-  if (slave.moment.stale == 0) return BITROCK_OK;
-  if (const bitrock_status status = renew_core(slave); status != BITROCK_OK) return status;
-  const Moment& known = slave.moment;
-  Moment start{.phase = known.phase,
-               .stale = 0,
-               .time = known.time,
-               .stop_time = known.stop_time,
-               .inputs = known.inputs,
-               .speed_since = known.time};
-  const bitrock_status status = turn(slave, start, known.time);
-  if (status == BITROCK_OK) slave.moment = start;
-  return status;
-}
-
-bitrock_status step(Slave& slave, double end) {
+bitrock_status step(BitSlave& slave, double end) {
   Moment next = slave.moment;
   const bitrock_status status = turn(slave, next, end);
   if (status == BITROCK_OK) slave.moment = next;
   return status;
 }
 
+const char* resource_name() {
+  return bit_block_file;
+}
+
+Slave* make(char* bytes, std::size_t size, const char*& reason) {
+  void* const memory = std::malloc(sizeof(BitSlave));
+  if (memory == nullptr) {
+    std::free(bytes);
+    reason = "no memory";
+    return nullptr;
+  }
+  BitSlave* const slave = new (memory) BitSlave;
+  slave->bytes = bytes;
+  reason = fill(*slave, size);
+  if (reason == nullptr) return slave;
+  destroy(slave);
+  return nullptr;
+}
+
+void destroy(Slave* slave) {
+  if (slave == nullptr) return;
+  std::free(bit(*slave).core);
+  std::free(bit(*slave).bytes);
+  std::free(&bit(*slave));
+}
+
+Clock& clock_of(Slave& slave) {
+  return bit(slave).moment;
+}
+
+const Clock& clock_of(const Slave& slave) {
+  return bit(slave).moment;
+}
+
+const char* guid_of(const Slave& slave) {
+  return bit(slave).block.guid.data();
+}
+
+const Variable* variable_at(const Slave&, unsigned reference) {
+  return reference < bit_variable_count ? &bit_variables[reference] : nullptr;
+}
+
+void begin_again(Slave& slave) {
+  bit(slave).settings = start_settings(bit(slave));
+  bit(slave).moment = {};
+}
+
+const char* find_start(Slave& slave) {
+  const Moment& known = bit(slave).moment;
+  if (known.stale == 0) return nullptr;
+  if (const bitrock_status status = renew_core(bit(slave)); status != BITROCK_OK) return reason_of(status);
+  Moment start;
+  static_cast<Clock&>(start) = known;
+  start.stale = 0;
+  start.inputs = known.inputs;
+  start.speed_since = known.time;
+  const bitrock_status status = turn(bit(slave), start, known.time);
+  if (status == BITROCK_OK) bit(slave).moment = start;
+  return reason_of(status);
+}
+
+const char* step(Slave& slave, double end) {
+  return reason_of(step(bit(slave), end));
+}
+
 std::size_t state_bytes(const Slave& slave) {
-  return sizeof(StateHead) + core_state_bytes(slave);
+  return sizeof(StateHead) + core_state_bytes(bit(slave));
 }
 
 void save(const Slave& slave, char* state) {
+  const BitSlave& saved = bit(slave);
   const std::size_t size = state_bytes(slave);
   StateHead head{.bytes = size,
-                 .block_checksum = slave.block.checksum,
-                 .core_signal = slave.core_signal,
-                 .settings = slave.settings,
-                 .moment = slave.moment};
+                 .block_checksum = saved.block.checksum,
+                 .core_signal = saved.core_signal,
+                 .settings = saved.settings,
+                 .moment = saved.moment};
   head.checksum = checksum(head);
   std::memset(state, 0, size);  // the core leaves the room of averages it does not have
   std::memcpy(state, &head, sizeof(head));
-  bitrock_core_save(slave.core, state + sizeof(head), size - sizeof(head));
+  bitrock_core_save(saved.core, state + sizeof(head), size - sizeof(head));
 }
 
 const char* restore(Slave& slave, const char* state, std::size_t size) {
+  BitSlave& changed = bit(slave);
   StateHead head;
   if (size != state_bytes(slave)) return "the state is of another size";
   std::memcpy(static_cast<void*>(&head), state, sizeof(head));
-  if (head.magic != StateHead{}.magic || head.bytes != size || head.block_checksum != slave.block.checksum)
+  if (head.magic != StateHead{}.magic || head.bytes != size || head.block_checksum != changed.block.checksum)
     return "the state is not of this FMU";
   if (head.checksum != checksum(head)) return "the state is damaged: its checksum is wrong";
-  if (!is_sound(head.moment) || check(slave, head.settings) != BITROCK_OK ||
-      !restore_core(slave, head.core_signal, state + sizeof(head), size - sizeof(head)))
+  if (!is_sound(head.moment) || check(changed, head.settings) != BITROCK_OK ||
+      !restore_core(changed, head.core_signal, state + sizeof(head), size - sizeof(head)))
     return "the state does not fit the core";
-  slave.settings = head.settings;
-  slave.moment = head.moment;
+  changed.settings = head.settings;
+  changed.moment = head.moment;
   return nullptr;
 }
 

@@ -1,10 +1,9 @@
 #pragma once
-/// A bit between communication points: what the FMU's inputs, steps and parameters do to the core. It knows no FMI; the
-/// 34 functions are in `fmu.cpp`. No exceptions, and no C++ library beyond its headers.
-
-#include <limits>
+/// A bit between communication points: what the FMU's inputs, steps and parameters do to the core. Its functions are
+/// those of `slave.hpp`.
 
 #include "runtime/fmu/bit_block.hpp"
+#include "runtime/fmu/slave.hpp"
 
 namespace bitrock::fmu {
 
@@ -21,23 +20,11 @@ struct Inputs {
   double weight = 0.0;               ///< [N]
 };
 
-/// Where the host is in the order of calls.
-enum class Phase : std::int64_t {
-  instantiated,  ///< made, or reset
-  initialising,  ///< between fmi2EnterInitializationMode and fmi2ExitInitializationMode
-  stepping,      ///< may call fmi2DoStep; parameters are fixed
-  terminated     ///< after fmi2Terminate
-};
-
 /// Everything that changes but the core. All members have eight bytes: copies of it are compared and saved as bytes.
-struct Moment {
-  Phase phase = Phase::instantiated;  ///< of the instance
-  std::int64_t stale = 1;             ///< 1: what is below `inputs` has to be found for these inputs and settings first
-  double time = 0.0;                  ///< [s] of the last communication point
-  double stop_time = std::numeric_limits<double>::infinity();  ///< [s]
-  Inputs inputs;                                               ///< of this step
-  double speed = 0.0;                                          ///< [rad/s] of the angle
-  double speed_since = 0.0;                                    ///< [s]
+struct Moment : Clock {
+  Inputs inputs;              ///< of this step
+  double speed = 0.0;         ///< [rad/s] of the angle
+  double speed_since = 0.0;   ///< [s]
   double angle_since = 0.0;   ///< [rad] at that time, with what the step before it missed
   double last_step = 0.0;     ///< [s] length of the step that ended at `time`
   double angle = 0.0;         ///< [rad] turned forward while cutting
@@ -48,7 +35,7 @@ struct Moment {
 };
 
 /// One instance.
-struct Slave {
+struct BitSlave : Slave {
   char* bytes = nullptr;         ///< of the block
   BitBlock block;                ///< bit and model
   bitrock_core* core = nullptr;  ///< its force
@@ -57,20 +44,11 @@ struct Slave {
   Moment moment;                 ///< all that changes
 };
 
-/// Takes over `bytes` (of `malloc`), also when it fails. Null, or the reason.
-const char* make(Slave& slave, char* bytes, std::size_t size);
-/// Gives the core back.
-void destroy(Slave& slave);
-
 /// As the bit file has them.
-Settings start_settings(const Slave& slave);
+Settings start_settings(const BitSlave& slave);
 
 /// Whether a core can be made with these.
-bitrock_status check(const Slave& slave, const Settings& settings);
-
-/// What the bit feels at the start time with the present inputs and settings; nothing when it is already known. To be
-/// called before outputs are read and before the first step.
-bitrock_status find_start(Slave& slave);
+bitrock_status check(const BitSlave& slave, const Settings& settings);
 
 /// **What** One communication step, to the time `end` [s].
 /// **Equation** omega_c = progression(omega, W, W_TS); theta(t) = theta_0 + omega_c (t - t_0), where
@@ -88,13 +66,6 @@ bitrock_status find_start(Slave& slave);
 /// first cuts (omega_c > 0 and V above `slowest_advance`): averages begin with the inputs of that step. A bit off the
 /// rock (W <= 0) feels nothing; one that stands on it feels what it felt when it stopped. When it fails, nothing has
 /// changed.
-bitrock_status step(Slave& slave, double end);
-
-/// The state as bytes: they can be restored by any slave of the same FMU on a machine of the same byte order.
-std::size_t state_bytes(const Slave& slave);
-/// To `state_bytes` bytes.
-void save(const Slave& slave, char* state);
-/// Null, or the reason; then nothing has changed.
-const char* restore(Slave& slave, const char* state, std::size_t size);
+bitrock_status step(BitSlave& slave, double end);
 
 }  // namespace bitrock::fmu

@@ -9,7 +9,7 @@ extern "C" {
 typedef void* fmi2Component;              ///< an instance of the FMU; only the FMU knows what is there
 typedef void* fmi2ComponentEnvironment;   ///< handed back to the importer with each message
 typedef void* fmi2FMUstate;               ///< a kept state of an instance
-typedef unsigned int fmi2ValueReference;  ///< number of a variable (variables.hpp)
+typedef unsigned int fmi2ValueReference;  ///< number of a variable (variable.hpp)
 typedef double fmi2Real;                  ///< in the unit of the model description
 typedef int fmi2Integer;                  ///< also of enumerations
 typedef int fmi2Boolean;                  ///< fmi2False or fmi2True

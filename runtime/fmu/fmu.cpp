@@ -1,17 +1,16 @@
-// The 34 functions of FMI 2.0 for co-simulation, on a bit (bit_slave.hpp). They look at pointers, phases and value
-// references, and say what went wrong in words. A call that answers fmi2Error has changed nothing, so the importer may
-// go on; no call answers fmi2Fatal. Memory comes from malloc; nothing is kept outside of the instances.
+// The 34 functions of FMI 2.0 for co-simulation, on what an FMU holds (slave.hpp). They look at pointers, phases and
+// value references, and say what went wrong in words. A call that answers fmi2Error has changed nothing, so the
+// importer may go on, unless a step broke a string; no call answers fmi2Fatal. Memory comes from malloc; nothing is
+// kept outside of the instances.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <new>
 
-#include "runtime/fmu/bit_slave.hpp"
 #include "runtime/fmu/fmi2.hpp"
 #include "runtime/fmu/resource.hpp"
-#include "runtime/fmu/values.hpp"
-#include "runtime/fmu/variables.hpp"
+#include "runtime/fmu/slave.hpp"
 
 using namespace bitrock;
 
@@ -23,10 +22,10 @@ using namespace bitrock;
 
 namespace {
 
-using fmu::Inputs, fmu::Moment, fmu::Phase, fmu::Settings;
+using fmu::Causality, fmu::Clock, fmu::Phase, fmu::Type, fmu::Variable;
 
 struct Instance {
-  fmu::Slave slave;
+  fmu::Slave* slave = nullptr;
   fmi2CallbackFunctions callbacks{};
   char* name = nullptr;
 };
@@ -61,31 +60,42 @@ fmi2Status fail(const Instance* instance, const char* function, const char* reas
   return fmi2Error;
 }
 
-fmi2Status answer(const Instance* instance, const char* function, bitrock_status status) {
-  return status == BITROCK_OK ? fmi2OK : fail(instance, function, bitrock_status_text(status));
+fmi2Status answer(const Instance* instance, const char* function, const char* reason) {
+  return reason == nullptr ? fmi2OK : fail(instance, function, reason);
+}
+
+Clock& clock_of(Instance* instance) {
+  return fmu::clock_of(*instance->slave);
+}
+
+const Clock& clock_of(const Instance* instance) {
+  return fmu::clock_of(*instance->slave);
 }
 
 fmi2Status fail_variable(const Instance* instance, const char* function, unsigned reference, const char* reason) {
   char text[256];
-  const char* const name = reference < fmu::variable_count ? fmu::variables[reference].name : "(no such variable)";
-  std::snprintf(text, sizeof(text), "value reference %u, %s: %s", reference, name, reason);
+  const Variable* const variable = variable_at(*instance->slave, reference);
+  std::snprintf(text, sizeof(text), "value reference %u, %s: %s", reference,
+                variable == nullptr ? "(no such variable)" : variable->name, reason);
   return fail(instance, function, text);
 }
 
-bool is_real(const fmu::Variable& variable) {
-  return variable.type == fmu::Type::real;
+/// Null: there is none of that number and kind.
+const Variable* typed_variable(const Instance* instance, unsigned reference, bool real) {
+  const Variable* const variable = variable_at(*instance->slave, reference);
+  return variable != nullptr && (variable->type == Type::real) == real ? variable : nullptr;
 }
 
 /// Why this variable cannot be set to this value now; null when it can.
 template <class Value>
-const char* objection(const Instance* instance, const fmu::Variable& variable, Value value) {
-  const Phase phase = instance->slave.moment.phase;
-  if (variable.causality == fmu::Causality::output) return "an output cannot be set";
+const char* objection(const Instance* instance, const Variable& variable, Value value) {
+  const Phase phase = clock_of(instance).phase;
+  if (variable.causality == Causality::output) return "an output cannot be set";
   if (phase == Phase::terminated) return "the simulation has ended";
-  if (variable.causality == fmu::Causality::parameter && phase == Phase::stepping)
+  if (variable.causality == Causality::parameter && phase == Phase::stepping)
     return "a parameter is fixed once the initialisation is over";
   if (!std::isfinite(static_cast<double>(value))) return "the value must be finite";
-  if (variable.type == fmu::Type::integer && value < 0) return "the value must be 0 or more";
+  if (variable.type == Type::integer && value < 0) return "the value must be 0 or more";
   return nullptr;
 }
 
@@ -95,24 +105,15 @@ fmi2Status set(Instance* instance, const char* function, const unsigned* referen
                const Value* values) {
   constexpr bool real = sizeof(Value) == sizeof(double);
   if (count > 0 && (references == nullptr || values == nullptr)) return fail(instance, function, "a null pointer");
-  Settings settings = instance->slave.settings;
-  Inputs inputs = instance->slave.moment.inputs;
-  bool parameters = false;
   for (std::size_t i = 0; i < count; ++i) {
-    const unsigned reference = references[i];
-    if (reference >= fmu::variable_count || is_real(fmu::variables[reference]) != real)
-      return fail_variable(instance, function, reference, "not a variable of this type");
-    const fmu::Variable& variable = fmu::variables[reference];
-    if (const char* const reason = objection(instance, variable, values[i]); reason != nullptr)
-      return fail_variable(instance, function, reference, reason);
-    set_value(settings, inputs, reference, values[i]);
-    parameters = parameters || variable.causality == fmu::Causality::parameter;
+    const Variable* const variable = typed_variable(instance, references[i], real);
+    if (variable == nullptr) return fail_variable(instance, function, references[i], "not a variable of this type");
+    if (const char* const reason = objection(instance, *variable, values[i]); reason != nullptr)
+      return fail_variable(instance, function, references[i], reason);
   }
-  if (parameters && check(instance->slave, settings) != BITROCK_OK)
-    return fail(instance, function, "a parameter is out of its range (see the model description)");
-  instance->slave.settings = settings;
-  instance->slave.moment.inputs = inputs;
-  if (instance->slave.moment.phase != Phase::stepping) instance->slave.moment.stale = 1;
+  if (const char* const reason = set_values(*instance->slave, references, count, values); reason != nullptr)
+    return fail(instance, function, reason);
+  if (clock_of(instance).phase != Phase::stepping) clock_of(instance).stale = 1;
   return fmi2OK;
 }
 
@@ -120,18 +121,18 @@ template <class Value>
 fmi2Status get(Instance* instance, const char* function, const unsigned* references, std::size_t count, Value* values) {
   constexpr bool real = sizeof(Value) == sizeof(double);
   if (count > 0 && (references == nullptr || values == nullptr)) return fail(instance, function, "a null pointer");
-  if (instance->slave.moment.phase == Phase::initialising) {
-    const bitrock_status status = find_start(instance->slave);
-    if (status != BITROCK_OK) return answer(instance, function, status);
+  if (clock_of(instance).phase == Phase::initialising) {
+    if (const char* const reason = find_start(*instance->slave); reason != nullptr)
+      return fail(instance, function, reason);
   }
   for (std::size_t i = 0; i < count; ++i) {
     const unsigned reference = references[i];
-    if (reference >= fmu::variable_count || is_real(fmu::variables[reference]) != real)
+    if (typed_variable(instance, reference, real) == nullptr)
       return fail_variable(instance, function, reference, "not a variable of this type");
     if constexpr (real)
-      values[i] = real_value(instance->slave, reference);
+      values[i] = real_value(*instance->slave, reference);
     else
-      values[i] = integer_value(instance->slave, reference);
+      values[i] = integer_value(*instance->slave, reference);
   }
   return fmi2OK;
 }
@@ -144,8 +145,8 @@ fmi2Status none(fmi2Component component, const char* function, std::size_t count
 
 /// Into the next phase, from the one before it.
 fmi2Status enter(Instance* instance, const char* function, Phase from, Phase to) {
-  if (instance->slave.moment.phase != from) return fail(instance, function, "not allowed in this phase");
-  instance->slave.moment.phase = to;
+  if (clock_of(instance).phase != from) return fail(instance, function, "not allowed in this phase");
+  clock_of(instance).phase = to;
   return fmi2OK;
 }
 
@@ -155,43 +156,49 @@ bool same_time(double a, double b, double step) {
 }
 
 /// Why no step can be made from `begin` over `size`; null when one can.
-const char* step_objection(const Moment& moment, double begin, double size) {
-  if (moment.phase != Phase::stepping) return "not allowed in this phase";
+const char* step_objection(const Clock& clock, double begin, double size) {
+  if (clock.phase == Phase::broken)
+    return "a step before this one failed half-way: reset, or set a state from before it";
+  if (clock.phase != Phase::stepping) return "not allowed in this phase";
   if (!std::isfinite(begin) || !std::isfinite(size)) return "the time or the step is not finite";
   if (!(size > 0.0)) return "the step must be above 0";
-  if (!same_time(begin, moment.time, size)) return "the step must begin where the one before ended";
+  if (!same_time(begin, clock.time, size)) return "the step must begin where the one before ended";
   const double end = begin + size;
-  if (!std::isfinite(end) || !(end > moment.time)) return "the step is too short for this time";
-  if (end > moment.stop_time && !same_time(end, moment.stop_time, size)) return "the step ends after the stop time";
+  if (!std::isfinite(end) || !(end > clock.time)) return "the step is too short for this time";
+  if (end > clock.stop_time && !same_time(end, clock.stop_time, size)) return "the step ends after the stop time";
   return nullptr;
 }
 
 const char* copied(const char* text, char*& copy) {
-  copy = static_cast<char*>(std::malloc(std::strlen(text) + 1));
-  return copy == nullptr ? nullptr : std::strcpy(copy, text);
+  const std::size_t size = std::strlen(text) + 1;
+  copy = static_cast<char*>(std::malloc(size));
+  return copy == nullptr ? nullptr : static_cast<const char*>(std::memcpy(copy, text, size));
 }
 
 /// Reads the resource into the instance; null, or the reason, for which `room` may be used.
 const char* load(Instance& instance, const char* guid, const char* location, char (&room)[fmu::longest_path + 256]) {
   char path[fmu::longest_path];
-  if (!fmu::resource_path(location, fmu::block_file, path)) {
+  if (!fmu::resource_path(location, fmu::resource_name(), path)) {
     std::snprintf(room, sizeof(room), "'%.1000s' (the resource location must be a URI of a local file)", location);
     return room;
   }
-  const fmu::FileBytes file = fmu::read_file(path, fmu::most_block_bytes);
+  const fmu::FileBytes file = fmu::read_file(path, fmu::most_resource_bytes);
   if (file.bytes == nullptr) {
     std::snprintf(room, sizeof(room), "'%s' cannot be read", path);
     return room;
   }
-  if (const char* const reason = make(instance.slave, file.bytes, file.size); reason != nullptr) {
+  const char* reason = nullptr;
+  instance.slave = fmu::make(file.bytes, file.size, reason);
+  if (instance.slave == nullptr) {
     std::snprintf(room, sizeof(room), "'%s': %s", path, reason);
     return room;
   }
-  if (std::strcmp(guid, instance.slave.block.guid.data()) == 0) return nullptr;
+  const char* const own = guid_of(*instance.slave);
+  if (std::strcmp(guid, own) == 0) return nullptr;
   std::snprintf(room, sizeof(room),
                 "guid '%.100s' (this FMU has '%s': model description and resources do not belong "
                 "together)",
-                guid, instance.slave.block.guid.data());
+                guid, own);
   return room;
 }
 
@@ -212,7 +219,7 @@ FMI2_FUNCTION fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolea
 
 FMI2_FUNCTION void fmi2FreeInstance(fmi2Component component) {
   if (component == nullptr) return;
-  destroy(at(component)->slave);
+  fmu::destroy(at(component)->slave);
   std::free(at(component)->name);
   std::free(component);
 }
@@ -245,14 +252,14 @@ FMI2_FUNCTION fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2
 FMI2_FUNCTION fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean, fmi2Real, fmi2Real start,
                                              fmi2Boolean stop_defined, fmi2Real stop) {
   if (component == nullptr) return fmi2Error;
-  Moment& moment = at(component)->slave.moment;
-  if (moment.phase != Phase::instantiated)
+  Clock& clock = clock_of(at(component));
+  if (clock.phase != Phase::instantiated)
     return fail(at(component), "fmi2SetupExperiment", "not allowed in this phase");
   if (!std::isfinite(start) || (stop_defined != fmi2False && !(stop > start)))
     return fail(at(component), "fmi2SetupExperiment", "the start must be finite and before the stop");
-  moment.time = start;
-  moment.stop_time = stop_defined != fmi2False ? stop : Moment{}.stop_time;
-  moment.stale = 1;
+  clock.time = start;
+  clock.stop_time = stop_defined != fmi2False ? stop : Clock{}.stop_time;
+  clock.stale = 1;
   return fmi2OK;
 }
 
@@ -265,9 +272,9 @@ FMI2_FUNCTION fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
   if (component == nullptr) return fmi2Error;
   const char* const function = "fmi2ExitInitializationMode";
   Instance* const instance = at(component);
-  if (instance->slave.moment.phase != Phase::initialising) return fail(instance, function, "not allowed in this phase");
-  if (const bitrock_status status = find_start(instance->slave); status != BITROCK_OK)
-    return answer(instance, function, status);
+  if (clock_of(instance).phase != Phase::initialising) return fail(instance, function, "not allowed in this phase");
+  if (const char* const reason = find_start(*instance->slave); reason != nullptr)
+    return fail(instance, function, reason);
   return enter(instance, function, Phase::initialising, Phase::stepping);
 }
 
@@ -278,8 +285,7 @@ FMI2_FUNCTION fmi2Status fmi2Terminate(fmi2Component component) {
 
 FMI2_FUNCTION fmi2Status fmi2Reset(fmi2Component component) {
   if (component == nullptr) return fmi2Error;
-  at(component)->slave.settings = start_settings(at(component)->slave);
-  at(component)->slave.moment = {};
+  begin_again(*at(component)->slave);
   return fmi2OK;
 }
 
@@ -325,7 +331,7 @@ FMI2_FUNCTION fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueR
 
 FMI2_FUNCTION fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate* state) {
   if (component == nullptr || state == nullptr) return fmi2Error;
-  const fmu::Slave& slave = at(component)->slave;
+  const fmu::Slave& slave = *at(component)->slave;
   const std::size_t size = state_bytes(slave);
   SavedState* saved = static_cast<SavedState*>(*state);
   if (saved == nullptr || saved->size != size) {
@@ -343,8 +349,7 @@ FMI2_FUNCTION fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate s
   if (component == nullptr) return fmi2Error;
   if (state == nullptr) return fail(at(component), "fmi2SetFMUstate", "no state");
   SavedState* const saved = static_cast<SavedState*>(state);
-  const char* const reason = restore(at(component)->slave, saved->bytes(), saved->size);
-  return reason == nullptr ? fmi2OK : fail(at(component), "fmi2SetFMUstate", reason);
+  return answer(at(component), "fmi2SetFMUstate", restore(*at(component)->slave, saved->bytes(), saved->size));
 }
 
 FMI2_FUNCTION fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
@@ -378,7 +383,7 @@ FMI2_FUNCTION fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const 
   if (component == nullptr) return fmi2Error;
   const char* const function = "fmi2DeSerializeFMUstate";
   if (bytes == nullptr || state == nullptr) return fail(at(component), function, "a null pointer");
-  if (size != state_bytes(at(component)->slave)) return fail(at(component), function, "the state is of another size");
+  if (size != state_bytes(*at(component)->slave)) return fail(at(component), function, "the state is of another size");
   SavedState* const saved = static_cast<SavedState*>(std::realloc(*state, sizeof(SavedState) + size));
   if (saved == nullptr) return fail(at(component), function, "no memory");
   saved->size = size;
@@ -406,9 +411,9 @@ FMI2_FUNCTION fmi2Status fmi2GetRealOutputDerivatives(fmi2Component component, c
 FMI2_FUNCTION fmi2Status fmi2DoStep(fmi2Component component, fmi2Real begin, fmi2Real size, fmi2Boolean) {
   if (component == nullptr) return fmi2Error;
   Instance* const instance = at(component);
-  if (const char* const reason = step_objection(instance->slave.moment, begin, size); reason != nullptr)
+  if (const char* const reason = step_objection(clock_of(instance), begin, size); reason != nullptr)
     return fail(instance, "fmi2DoStep", reason);
-  return answer(instance, "fmi2DoStep", step(instance->slave, begin + size));
+  return answer(instance, "fmi2DoStep", step(*instance->slave, begin + size));
 }
 
 FMI2_FUNCTION fmi2Status fmi2CancelStep(fmi2Component component) {
@@ -424,7 +429,7 @@ FMI2_FUNCTION fmi2Status fmi2GetStatus(fmi2Component component, const fmi2Status
 FMI2_FUNCTION fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Real* value) {
   if (component == nullptr || value == nullptr) return fmi2Error;
   if (kind != fmi2LastSuccessfulTime) return fmi2Discard;
-  *value = at(component)->slave.moment.time;
+  *value = clock_of(at(component)).time;
   return fmi2OK;
 }
 

@@ -1,17 +1,11 @@
 #include "runtime/fmu/fmu_file.hpp"
 
-#include <fmt/format.h>
-
-#include <cstring>
-
-#include "base/errors.hpp"
 #include "base/text.hpp"
-#include "base/zip.hpp"
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/bit/core_description.hpp"
+#include "runtime/fmu/archive.hpp"
 #include "runtime/fmu/bit_block.hpp"
-#include "runtime/fmu/libraries.hpp"
-#include "runtime/fmu/variables.hpp"
+#include "runtime/fmu/bit_variables.hpp"
 
 namespace bitrock::fmu {
 
@@ -44,23 +38,6 @@ void put_output(std::string& bytes, const bitrock_output& output) {
   for (std::int64_t i = 0; i < parameters; ++i) put(bytes, output.parameters[i]);
 }
 
-/// In the usual form of a guid: the fingerprint of the content, and that of the content with a letter behind it.
-std::string guid_of(std::string content) {
-  const std::string first = base::fingerprint_text(content);
-  content += 'g';
-  const std::string second = base::fingerprint_text(content);
-  return fmt::format("{{{}-{}-{}-{}-{}}}", first.substr(0, 8), first.substr(8, 4), first.substr(12, 4),
-                     second.substr(0, 4), second.substr(4));
-}
-
-void require_libraries(const std::vector<Library>& found) {
-  if (found.empty()) {
-    throw base::InputError(
-        "this bitrock carries no library for an FMU (it was built on another machine than linux64, without Debian's "
-        "g++-mingw-w64-x86-64-posix for win64)");
-  }
-}
-
 }  // namespace
 
 std::string bit_block(const bitrock_description& description, double threshold_weight, const std::string& guid) {
@@ -84,27 +61,13 @@ std::string bit_block(const bitrock_description& description, double threshold_w
 }
 
 FmuFile fmu_file(const runtime::Bit& bit, const surrogate::Model& model) {
-  const std::vector<Library> carried = libraries();
-  require_libraries(carried);
   const runtime::BitForce usable(bit, model);  // or it throws, in words
   const runtime::CoreDescription description = runtime::describe(bit, model);
   constexpr double no_threshold = 0.0;  // [N] a parameter of the FMU, unknown to a bit file
-
-  std::string content = bit_block(description.plain, no_threshold, "") + model_description(bit, model, "");
-  for (const Library& library : carried) content += library.bytes;
-  FmuFile file{.guid = guid_of(std::move(content))};
-
-  const std::string block = bit_block(description.plain, no_threshold, file.guid);
-  const std::string xml = model_description(bit, model, file.guid);
-  std::vector<base::ZipEntry> entries{{"modelDescription.xml", xml}};
-  for (const Library& library : carried) {
-    entries.push_back(
-        {fmt::format("binaries/{}/{}{}", library.platform, model_identifier, library.extension), library.bytes});
-    file.platforms.emplace_back(library.platform);
-  }
-  entries.push_back({fmt::format("resources/{}", block_file), block});
-  file.bytes = base::zip_stored(entries);
-  return file;
+  return packed(
+      Inside::bit, bit_identifier, bit_block_file,
+      [&](const std::string& guid) { return bit_block(description.plain, no_threshold, guid); },
+      [&](const std::string& guid) { return model_description(bit, model, guid); });
 }
 
 }  // namespace bitrock::fmu

@@ -4,19 +4,13 @@
 /// bit and the model as plain numbers. What the library does is said in `bit_slave.hpp`.
 
 #include <string>
-#include <vector>
 
 #include "runtime/bit/bit.hpp"
 #include "runtime/core/bitrock_runtime.h"
+#include "runtime/fmu/archive.hpp"
 #include "surrogate/net/model.hpp"
 
 namespace bitrock::fmu {
-
-struct FmuFile {
-  std::string bytes;                   ///< of the ZIP archive
-  std::string guid;                    ///< ties description and block together
-  std::vector<std::string> platforms;  ///< it has libraries for: "linux64", "win64"
-};
 
 /// The same bit, model and program always give the same bytes. Throws `InputError` when a core cannot be made of the
 /// bit and the model, or when this program carries no library.

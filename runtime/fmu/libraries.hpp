@@ -13,7 +13,14 @@ struct Library {
   std::string_view bytes;      ///< the whole file, within this program
 };
 
-/// linux64 where bitrock was built on such a machine, win64 where the compiler for it was found.
-std::vector<Library> libraries();
+/// What a library computes.
+enum class Inside {
+  bit,    ///< a bit alone
+  string  ///< a drill string with its bit
+};
+
+/// linux64 where bitrock was built on such a machine, win64 where the compiler for it was found. Throws `InputError`
+/// when there is neither.
+std::vector<Library> libraries(Inside inside);
 
 }  // namespace bitrock::fmu

@@ -1,16 +1,13 @@
-// modelDescription.xml: what an importer reads before it loads the library [Fmi2, sec. 2.2 and 4.3].
+#include "runtime/fmu/model_description.hpp"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <iterator>
 #include <numbers>
 
 #include "base/text.hpp"
 #include "base/version.hpp"
-#include "runtime/bit/bit_force.hpp"
-#include "runtime/bit/core_description.hpp"
-#include "runtime/fmu/fmu_file.hpp"
-#include "runtime/fmu/variables.hpp"
 
 namespace bitrock::fmu {
 
@@ -25,12 +22,13 @@ struct Unit {
   const char* display_name;  ///< empty: none
   double display_factor;
 };
-constexpr std::array<Unit, 6> units{{{"rad/s", "rad=\"1\" s=\"-1\"", "rpm", 30.0 / pi},
+constexpr std::array<Unit, 7> units{{{"rad/s", "rad=\"1\" s=\"-1\"", "rpm", 30.0 / pi},
                                      {"rad", "rad=\"1\"", "deg", 180.0 / pi},
                                      {"m/s", "m=\"1\" s=\"-1\"", "m/h", 3600.0},
                                      {"m", "m=\"1\"", "mm", 1e3},
                                      {"s", "s=\"1\"", "", 1.0},
-                                     {"N", "kg=\"1\" m=\"1\" s=\"-2\"", "kN", 1e-3}}};
+                                     {"N", "kg=\"1\" m=\"1\" s=\"-2\"", "kN", 1e-3},
+                                     {"Pa", "kg=\"1\" m=\"-1\" s=\"-2\"", "MPa", 1e-6}}};
 constexpr const char* torque_unit =
     "    <Unit name=\"N.m\"><BaseUnit kg=\"1\" m=\"2\" s=\"-2\"/></Unit>\n";  // not J: nothing is shown in it
 
@@ -55,63 +53,21 @@ std::string attribute_text(std::string_view text) {
   return safe;
 }
 
-std::string unit_definitions() {
+bool is_used(std::string_view unit, const std::vector<DescribedVariable>& variables) {
+  return std::any_of(variables.begin(), variables.end(),
+                     [&](const DescribedVariable& described) { return unit == described.variable.unit; });
+}
+
+std::string unit_definitions(const std::vector<DescribedVariable>& variables) {
   std::string text = "  <UnitDefinitions>\n";
   for (const Unit& unit : units) {
+    if (!is_used(unit.name, variables)) continue;
     text += fmt::format("    <Unit name=\"{}\"><BaseUnit {}/>", unit.name, unit.exponents);
     if (*unit.display_name != '\0')
       text += fmt::format("<DisplayUnit name=\"{}\" factor=\"{}\"/>", unit.display_name, unit.display_factor);
     text += "</Unit>\n";
   }
   return text + torque_unit + "  </UnitDefinitions>\n";
-}
-
-/// The words of a bit file, in the order of the constants of the runtime.
-constexpr const char* type_definitions = R"(  <TypeDefinitions>
-    <SimpleType name="Combine"><Enumeration>
-      <Item name="sum" value="1"/><Item name="max" value="2"/>
-    </Enumeration></SimpleType>
-    <SimpleType name="AmplitudeFit"><Enumeration>
-      <Item name="band_preserving" value="1"/><Item name="article" value="2"/>
-    </Enumeration></SimpleType>
-  </TypeDefinitions>
-)";
-static_assert(BITROCK_COMBINE_SUM + first_item == 1 && BITROCK_COMBINE_MAX + first_item == 2);
-static_assert(BITROCK_FIT_BAND_PRESERVING + first_item == 1 && BITROCK_FIT_ARTICLE + first_item == 2);
-
-/// Start value of an input or a parameter.
-std::string start_of(unsigned reference, const bitrock_signal& signal) {
-  switch (reference) {
-    case averaging_time:
-      return fmt::format("{}", signal.average_window_s);
-    case window_angle:
-      return fmt::format("{}", signal.window_angle_rad);
-    case pulse_width_factor:
-      return fmt::format("{}", signal.pulse_width_factor);
-    case seed:
-      return fmt::format("{}", signal.seed);
-    case combine:
-      return fmt::format("{}", signal.combine + first_item);
-    case amplitude_fit:
-      return fmt::format("{}", signal.amplitude_fit + first_item);
-    default:
-      return "0";
-  }
-}
-
-/// Bounds that may be reached.
-const char* bounds_of(unsigned reference) {
-  switch (reference) {
-    case threshold_weight:
-    case seed:
-    case questions:
-    case clamped:
-      return " min=\"0\"";
-    case pulse_width_factor:
-      return " max=\"2\"";
-    default:
-      return "";
-  }
 }
 
 const char* display_unit(std::string_view name) {
@@ -121,8 +77,8 @@ const char* display_unit(std::string_view name) {
   return "";
 }
 
-std::string typed_element(unsigned reference, const bitrock_signal& signal) {
-  const Variable& variable = variables[reference];
+std::string typed_element(const DescribedVariable& described) {
+  const Variable& variable = described.variable;
   std::string text;
   switch (variable.type) {
     case Type::real:
@@ -131,16 +87,14 @@ std::string typed_element(unsigned reference, const bitrock_signal& signal) {
     case Type::integer:
       text = "<Integer";
       break;
-    case Type::combine:
-      text = "<Enumeration declaredType=\"Combine\"";
-      break;
-    case Type::amplitude_fit:
-      text = "<Enumeration declaredType=\"AmplitudeFit\"";
+    case Type::enumeration:
+      text = fmt::format("<Enumeration declaredType=\"{}\"", variable.list);
   }
   if (*variable.unit != '\0') text += fmt::format(" unit=\"{}\"", variable.unit);
-  if (*display_unit(variable.unit) != '\0') text += fmt::format(" displayUnit=\"{}\"", display_unit(variable.unit));
-  text += bounds_of(reference);
-  if (variable.causality != Causality::output) text += fmt::format(" start=\"{}\"", start_of(reference, signal));
+  if (described.in_display_unit && *display_unit(variable.unit) != '\0')
+    text += fmt::format(" displayUnit=\"{}\"", display_unit(variable.unit));
+  text += described.bounds;
+  if (variable.causality != Causality::output) text += fmt::format(" start=\"{}\"", described.start);
   return text + "/>";
 }
 
@@ -148,7 +102,8 @@ const char* causality_text(const Variable& variable) {
   const bool continuous = variable.type == Type::real;
   switch (variable.causality) {
     case Causality::input:
-      return R"(causality="input" variability="continuous")";
+      return continuous ? R"(causality="input" variability="continuous")"
+                        : R"(causality="input" variability="discrete")";
     case Causality::output:
       return continuous ? R"(causality="output" variability="continuous" initial="calculated")"
                         : R"(causality="output" variability="discrete" initial="calculated")";
@@ -158,27 +113,27 @@ const char* causality_text(const Variable& variable) {
   return R"(causality="parameter" variability="fixed" initial="exact")";
 }
 
-std::string model_variables(const bitrock_signal& signal) {
+std::string model_variables(const std::vector<DescribedVariable>& variables) {
   std::string text = "  <ModelVariables>\n";
-  for (unsigned i = 0; i < variable_count; ++i) {
-    const Variable& variable = variables[i];
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const DescribedVariable& described = variables[i];
     text += fmt::format(
         "    <!-- {} -->\n    <ScalarVariable name=\"{}\" valueReference=\"{}\" {}\n"
         "        description=\"{}\">\n      {}\n    </ScalarVariable>\n",
-        i + 1, variable.name, i, causality_text(variable), attribute_text(variable.description),
-        typed_element(i, signal));
+        i + 1, described.name, described.reference, causality_text(described.variable),
+        attribute_text(described.description), typed_element(described));
   }
   return text + "  </ModelVariables>\n";
 }
 
-/// Outputs depend on no input of their own communication point: they are of the end of the step. At the beginning all
-/// but the angle, which is 0, depend on what is set.
-std::string model_structure() {
+/// Outputs depend on no input of their own communication point: they are of the end of the step.
+std::string model_structure(const std::vector<DescribedVariable>& variables) {
   std::string outputs, unknowns;
-  for (unsigned i = 0; i < variable_count; ++i) {
-    if (variables[i].causality != Causality::output) continue;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    if (variables[i].variable.causality != Causality::output) continue;
     outputs += fmt::format("      <Unknown index=\"{}\" dependencies=\"\"/>\n", i + 1);
-    unknowns += fmt::format("      <Unknown index=\"{}\"{}/>\n", i + 1, i == angle ? " dependencies=\"\"" : "");
+    unknowns += fmt::format("      <Unknown index=\"{}\"{}/>\n", i + 1,
+                            variables[i].known_at_start ? " dependencies=\"\"" : "");
   }
   return "  <ModelStructure>\n    <Outputs>\n" + outputs + "    </Outputs>\n    <InitialUnknowns>\n" + unknowns +
          "    </InitialUnknowns>\n  </ModelStructure>\n";
@@ -205,25 +160,31 @@ constexpr const char* head = R"(<?xml version="1.0" encoding="UTF-8"?>
       providesDirectionalDerivative="false"/>
 )";
 
-// The step is that of `bitrock signal`: 5000 samples a second.
 constexpr const char* middle = R"(  <LogCategories>
-    <Category name="logStatusError" description="a call that failed and changed nothing"/>
+    <Category name="logStatusError" description="a call that failed, and why"/>
   </LogCategories>
-  <DefaultExperiment startTime="0" stopTime="10" stepSize="0.0002"/>
+  <DefaultExperiment startTime="0" stopTime="{}" stepSize="{}"/>
 )";
 
 }  // namespace
 
-std::string model_description(const runtime::Bit& bit, const surrogate::Model& model, const std::string& guid) {
-  const runtime::CoreDescription description = runtime::describe(bit, model);
-  const std::string about = fmt::format(
-      "Force and torque of the rock '{}' on the bit '{}', {} cutters, rebuilt from networks that learnt from "
-      "data of fingerprint {}",
-      model.rock, bit.name, bit.cutters.size(), model.provenance.data_fingerprint);
+DescribedVariable described(unsigned reference, const Variable& variable, const std::string& start,
+                            const std::string& bounds) {
+  return {.reference = reference,
+          .variable = variable,
+          .name = variable.name,
+          .description = variable.description,
+          .start = start,
+          .bounds = bounds};
+}
+
+std::string text_of(const ModelDescription& d) {
   std::string text =
-      fmt::format(head, attribute_text(bit.name), guid, attribute_text(about), base::version, model_identifier);
-  text += unit_definitions() + type_definitions + middle + model_variables(description.plain.signal);
-  return text + model_structure() + "</fmiModelDescription>\n";
+      fmt::format(head, attribute_text(d.name), d.guid, attribute_text(d.about), base::version, d.identifier);
+  text += unit_definitions(d.variables);
+  if (!d.lists.empty()) text += "  <TypeDefinitions>\n" + d.lists + "  </TypeDefinitions>\n";
+  text += fmt::format(middle, d.stop_time, d.step);
+  return text + model_variables(d.variables) + model_structure(d.variables) + "</fmiModelDescription>\n";
 }
 
 }  // namespace bitrock::fmu

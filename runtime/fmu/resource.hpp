@@ -21,6 +21,9 @@ inline constexpr std::size_t longest_path = 4096;
 /// the network. False for any other scheme or host, a bad %XX, a zero byte, or a path that is too long.
 bool resource_path(const char* location, const char* file, char (&path)[longest_path]);
 
+inline constexpr std::size_t most_resource_bytes = std::size_t{1}
+                                                   << 26;  ///< 64 MB: far above any bit, far below memory
+
 /// At most `most` bytes; a larger file, or none, gives nothing. The path is UTF-8.
 FileBytes read_file(const char* path, std::size_t most);
 

@@ -70,11 +70,4 @@ std::vector<HolePiece> hole_pieces(const WellPath& path, const std::vector<HoleS
   return pieces;
 }
 
-std::size_t piece_at(const std::vector<HolePiece>& pieces, const Vector3& position, std::size_t from) {
-  std::size_t i = std::min(from, pieces.size() - 1);
-  while (i > 0 && dot(position - pieces[i].arc.start, pieces[i].arc.tangent) < 0.0) --i;
-  while (i + 1 < pieces.size() && dot(position, pieces[i].end_tangent) >= pieces[i].end_reach) ++i;
-  return i;
-}
-
 }  // namespace bitrock::runtime

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstring>
 #include <type_traits>
 
 #include "base/errors.hpp"
+#include "runtime/well/soundness.hpp"
 
 namespace bitrock::runtime {
 
@@ -24,8 +24,6 @@ struct Head {
   WellWork work;
 };
 static_assert(std::is_trivially_copyable_v<Head>);
-
-constexpr double most_turned = 0.95 * 3.14159265358979323846;  // [rad] between neighbours
 
 }  // namespace
 
@@ -65,22 +63,16 @@ void restore(WellStringState& state, std::span<const std::byte> bytes) {
 }
 
 void require_sound(const WellString& string, const WellStringState& state) {
-  const Columns& columns = state.columns;
-  for (std::size_t i = 0; i < state.count; ++i) {
-    if (!is_finite(vector_at(columns, position, i)) || !is_finite(vector_at(columns, rate, i)))
-      throw base::SimulationError(fmt::format(
-          "the string is no longer finite at {:g} s, segment {} from the bit: take a shorter step", state.time, i + 1));
-    if (i + 1 == state.count && string.upper_end != UpperEnd::clamped) break;
-    Rotation a, b;
-    take(columns, frame, columns.place_of(i + 1), a);
-    take(columns, frame, columns.place_of(i), b);
-    const double cosine = std::abs((conjugate(a) * b).w);
-    if (cosine < std::cos(0.5 * most_turned))
-      throw base::SimulationError(
-          fmt::format("segments {} and {} from the bit are turned against each other by half a turn at {:g} s: more "
-                      "segments are needed (top = \"split\")",
-                      i + 1, i + 2, state.time));
-  }
+  const std::optional<Unsound> found = unsound(string, state);
+  if (!found) return;
+  if (!found->finite)
+    throw base::SimulationError(
+        fmt::format("the string is no longer finite at {:g} s, segment {} from the bit: take a shorter step",
+                    state.time, found->segment + 1));
+  throw base::SimulationError(
+      fmt::format("segments {} and {} from the bit are turned against each other by half a turn at {:g} s: more "
+                  "segments are needed (top = \"split\")",
+                  found->segment + 1, found->segment + 2, state.time));
 }
 
 }  // namespace bitrock::runtime

@@ -80,7 +80,7 @@ const Passes& passes(bool plain) {
   static constexpr Passes plain_passes{load_plain, kick_plain, drift_plain};
 #ifdef BITROCK_WIDE
   static constexpr Passes wide_passes{load_wide, kick_wide, drift_wide};
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  const bool wide = __builtin_cpu_supports("avx2") != 0;
   if (wide && !plain) return wide_passes;
 #endif
   return plain_passes;

@@ -133,26 +133,6 @@ WellPoint point_at(const WellPath& path, double measured_depth) {
   return point_at(path, measured_depth, arc);
 }
 
-WellFoot offset_from(const WellArc& arc, const Vector3& position) {
-  const Vector3 d = position - arc.start;
-  const double aside = dot(d, arc.binormal);
-  const Vector3 in_plane = d - aside * arc.binormal;
-  const Vector3 u = arc.curvature * in_plane - arc.normal;
-  const double g = length(u);
-  const Vector3 outwards = (1.0 / g) * u;
-  const double distance = (arc.curvature * dot(in_plane, in_plane) - 2.0 * dot(d, arc.normal)) / (1.0 + g);
-  return {.offset = distance * outwards + aside * arc.binormal, .tangent = cross(arc.binormal, outwards)};
-}
-
-WellFoot foot_on(const WellArc& arc, const Vector3& position) {
-  WellFoot foot = offset_from(arc, position);
-  const Vector3 d = position - arc.start;
-  const double forward = dot(d, arc.tangent);
-  const double angle = std::atan2(arc.curvature * forward, 1.0 - arc.curvature * dot(d, arc.normal));
-  foot.measured_depth = arc.begin + (arc.curvature > 0.0 ? angle / arc.curvature : forward);
-  return foot;
-}
-
 void move_to_arc(const WellPath& path, const Vector3& position, std::size_t& arc) {
   const auto below_start = [&](std::size_t i) {
     return dot(position - path.arcs[i].start, path.arcs[i].tangent) >= 0.0;

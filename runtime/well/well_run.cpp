@@ -14,10 +14,6 @@ namespace bitrock::runtime {
 
 namespace {
 
-double torque_on_bit(const BitState& bit) {
-  return bit.friction_torque + bit.fracture_torque;
-}
-
 void record(const WellStringState& state, WellSeries& series) {
   series.time_s.push_back(state.time);
   series.hook_load_N.push_back(state.top.hook_load);
@@ -46,14 +42,14 @@ struct Observed {
   }
 };
 
+}  // namespace
+
 WellStringState brought_to_rest(const WellCase& well, const WellString& string) {
   WellStringState state = hung_in_hole(string);
   relax(string, state, well.drill.run.step);
   state.bit.face = well.bottom_depth;
   return state;
 }
-
-}  // namespace
 
 WellStatics statics(const WellCase& well, const WellString& string) {
   require_stable(well, string);

@@ -68,6 +68,9 @@ struct WellStatics {
   std::vector<JointAtRest> joints;          ///< from top to bottom
 };
 
+/// The string of the case as a run begins: at rest, without friction, off bottom.
+WellStringState brought_to_rest(const WellCase& well, const WellString& string);
+
 /// Throws `InputError` when the step is too long.
 WellStatics statics(const WellCase& well, const WellString& string);
 

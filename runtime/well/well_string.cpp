@@ -1,11 +1,5 @@
 #include "runtime/well/well_string.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "base/errors.hpp"
-
 namespace bitrock::runtime {
 
 std::size_t segment_count(const WellString& string) {
@@ -26,38 +20,6 @@ const StringSection& section_of(const WellString& string, std::size_t i) {
 double segment_length_of(const WellString& string, std::size_t i) {
   const StringSection& section = section_of(string, i);
   return section.length / section.segments;
-}
-
-void require_consistent(const WellString& string) {
-  const auto refuse = [](const std::string& what) { throw base::InputError("string in a well: " + what); };
-  if (string.sections.empty()) refuse("no section (needs at least one)");
-  for (std::size_t i = 0; i < string.sections.size(); ++i) {
-    const StringSection& section = string.sections[i];
-    const auto named = [&](const std::string& what) { refuse(fmt::format("section {}: {}", i + 1, what)); };
-    if (!(section.length > 0.0 && std::isfinite(section.length))) named("length must be above 0");
-    if (section.segments < 1) named("needs at least one segment");
-    const Beam& beam = section.beam;
-    for (const double value :
-         {beam.axial, beam.shear, beam.torsion, beam.bending, beam.mass, beam.polar_inertia, beam.transverse_inertia})
-      if (!(value > 0.0 && std::isfinite(value))) named("stiffness, mass and inertia must be above 0");
-    for (const double value : {section.added_mass, section.drag_along, section.drag_across, section.drag_spinning})
-      if (!(value >= 0.0 && std::isfinite(value))) named("drag and added mass must be 0 or more");
-    if (!std::isfinite(section.weight)) named("weight is not a number");
-    for (const HolePiece& piece : string.hole) {
-      if (!(section.contact_radius < piece.radius))
-        named(fmt::format("radius {:g} m in a hole of radius {:g} m from {:g} m down (must be less)",
-                          section.contact_radius, piece.radius, piece.arc.begin));
-      const double bar = section.length / section.segments;
-      if (!(bar * piece.arc.curvature < 2.0))
-        named(fmt::format("segments of {:g} m in a bend of radius {:g} m (shorter than twice the radius)", bar,
-                          1.0 / piece.arc.curvature));
-    }
-  }
-  if (!(string.wall.stiffness > 0.0 && string.wall.damping >= 0.0)) refuse("the wall's spring must be above 0");
-  if (string.guided && string.hole.empty()) refuse("the bit is guided, but there is no hole");
-  if (string.on_rock && string.hole.empty()) refuse("the bit is on rock, but there is no hole");
-  if (string.upper_end != UpperEnd::table && string.longest_grown > 0.0) refuse("only a string at a table grows");
-  if (!(string.longest_grown >= 0.0 && std::isfinite(string.longest_grown))) refuse("grows by less than 0");
 }
 
 void set_segment(const WellString& string, Columns& columns, std::size_t i, double length) {

@@ -62,30 +62,10 @@ inline Element parse(const std::string& text) {
   return stack.document.children.at(0);
 }
 
-class Fmu : public testing::Test {
+/// What tests of any FMU do with its files.
+class FmuFiles : public testing::Test {
  protected:
-  const scratch::Folder dir{"fmu 100%"};  // its URI needs %20 and %25
-  const fs::path model_file = dir / "model.json";
-  const fs::path bit_file = fs::path(BITROCK_SOURCE_DIR) / "campaigns/bits/pdc15.toml";
-  const fs::path unpacked = dir / "unpacked";
-  const surrogate::Model model = mixed::model();
-  const runtime::Bit bit = runtime::read_bit(bit_file);
-  std::string description_text, guid, resources;
-  importer::Library library{};
-
   static std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
-
-  void SetUp() override {
-    surrogate::write_model(model_file, model);
-    const auto outcome = program::run("export fmu " + quoted(model_file) + " " + quoted(bit_file) + " -o " +
-                                      quoted(dir / "bit.fmu") + " --json " + quoted(dir / "said.json"));
-    ASSERT_EQ(outcome.status, 0) << outcome.text;
-    unpack(dir / "bit.fmu", unpacked);
-    description_text = base::read_whole(unpacked / "modelDescription.xml");
-    guid = parse(description_text).at("guid");
-    resources = uri(unpacked / "resources");
-    library = importer::load((unpacked / "binaries/linux64/bitrock_bit.so").string());
-  }
 
   static void unpack(const fs::path& fmu, const fs::path& folder) {
     fs::create_directories(folder);
@@ -101,6 +81,30 @@ class Fmu : public testing::Test {
       text += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
     return text;
+  }
+};
+
+class Fmu : public FmuFiles {
+ protected:
+  const scratch::Folder dir{"fmu 100%"};  // its URI needs %20 and %25
+  const fs::path model_file = dir / "model.json";
+  const fs::path bit_file = fs::path(BITROCK_SOURCE_DIR) / "campaigns/bits/pdc15.toml";
+  const fs::path unpacked = dir / "unpacked";
+  const surrogate::Model model = mixed::model();
+  const runtime::Bit bit = runtime::read_bit(bit_file);
+  std::string description_text, guid, resources;
+  importer::Library library{};
+
+  void SetUp() override {
+    surrogate::write_model(model_file, model);
+    const auto outcome = program::run("export fmu " + quoted(model_file) + " " + quoted(bit_file) + " -o " +
+                                      quoted(dir / "bit.fmu") + " --json " + quoted(dir / "said.json"));
+    ASSERT_EQ(outcome.status, 0) << outcome.text;
+    unpack(dir / "bit.fmu", unpacked);
+    description_text = base::read_whole(unpacked / "modelDescription.xml");
+    guid = parse(description_text).at("guid");
+    resources = uri(unpacked / "resources");
+    library = importer::load((unpacked / "binaries/linux64/bitrock_bit.so").string());
   }
 };
 

@@ -8,9 +8,11 @@
 #include "runtime/bit/bit_force.hpp"
 #include "runtime/bit/core_description.hpp"
 #include "runtime/core/bitrock_runtime.h"
-#include "runtime/fmu/bit_slave.hpp"
+#include "runtime/fmu/bit_block.hpp"
 #include "runtime/fmu/fmu_file.hpp"
 #include "runtime/fmu/resource.hpp"
+#include "runtime/fmu/slave.hpp"
+#include "runtime/fmu/string_file.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/unit/runtime_fixtures.hpp"
 
@@ -126,16 +128,34 @@ void make_and_step(std::string_view bytes) {
   const std::string block = good_block(bytes);
   char* const owned = static_cast<char*>(std::malloc(block.size() + 1));
   std::memcpy(owned, block.data(), block.size());
-  fmu::Slave slave;
-  const char* const reason = fmu::make(slave, owned, block.size());
-  if (reason == nullptr) {
-    slave.moment.inputs = {.rotation = 10.0, .rate_of_penetration = 3e-3, .weight = 1e4};
-    fmu::find_start(slave);
-    fmu::step(slave, 0.01);
+  const char* reason = nullptr;
+  fmu::Slave* const slave = fmu::make(owned, block.size(), reason);
+  if (slave != nullptr) {
+    constexpr unsigned inputs[] = {0, 1, 2};
+    constexpr double values[] = {10.0, 3e-3, 1e4};  // rotation [rad/s], rate of penetration [m/s], weight on bit [N]
+    fmu::set_values(*slave, inputs, 3, values);
+    fmu::find_start(*slave);
+    fmu::step(*slave, 0.01);
   }
   const std::string told = reason == nullptr ? "" : reason;
   fmu::destroy(slave);
   if (!told.empty()) throw base::InputError(told);
+}
+
+/// A pendulum in torsion.
+std::string small_string_block() {
+  fmu::StringContent content{.step = 1e-3};
+  content.plane.torsional = {.inertia = {1.0}, .stiffness = {1.0}, .damping = {0.0}, .wall_damping = {0.0}};
+  return fmu::string_block(content, "", "{00000000-0000-0000-0000-000000000000}");
+}
+
+void read_string(std::string_view bytes) {
+  const std::string block = good_block(bytes);
+  std::vector<std::uint64_t> words(block.size() / 8 + 1);  // read in place, from an address divisible by 8
+  std::memcpy(words.data(), block.data(), block.size());
+  fmu::StringBlock read;
+  const char* const reason = fmu::read_string_block(words.data(), block.size(), read);
+  if (reason != nullptr) throw base::InputError(reason);
 }
 
 }  // namespace
@@ -146,6 +166,7 @@ std::vector<Target> runtime_targets() {
       {.name = "fmu_block",
        .read = make_and_step,
        .seeds = {fmu::bit_block(description().plain, 0.0, "{00000000-0000-0000-0000-000000000000}")}},
+      {.name = "string_fmu_block", .read = read_string, .seeds = {small_string_block()}},
       {.name = "fmu_folder",
        .read =
            [](std::string_view bytes) {

@@ -25,7 +25,7 @@ report              base
 runtime/bit         base peaks surrogate/net runtime/core runtime/signal
 runtime/core        base peaks surrogate/net runtime/laws runtime/signal
 runtime/drillstring base peaks surrogate/net runtime/bit runtime/core runtime/laws runtime/signal
-runtime/fmu         base surrogate/net runtime/bit runtime/core runtime/laws
+runtime/fmu         base surrogate/net runtime/bit runtime/core runtime/drillstring runtime/laws runtime/signal runtime/well
 runtime/laws        base
 runtime/signal      base peaks
 runtime/source      surrogate/export surrogate/net runtime/bit runtime/core

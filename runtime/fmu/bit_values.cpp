@@ -1,21 +1,13 @@
-#include "runtime/fmu/values.hpp"
-
-#include "runtime/fmu/variables.hpp"
+// The values of a bit's variables (slave.hpp).
+#include "runtime/fmu/bit_slave.hpp"
+#include "runtime/fmu/bit_variables.hpp"
+#include "runtime/fmu/core_memory.hpp"
 
 namespace bitrock::fmu {
 
-namespace {
-
-/// A count of the core as an Integer of FMI, which has 32 bits: it stays at the largest.
-int as_integer(std::int64_t count) {
-  return count < INT32_MAX ? static_cast<int>(count) : INT32_MAX;
-}
-
-}  // namespace
-
 double real_value(const Slave& slave, unsigned reference) {
-  const Settings& settings = slave.settings;
-  const Moment& moment = slave.moment;
+  const Settings& settings = static_cast<const BitSlave&>(slave).settings;
+  const Moment& moment = static_cast<const BitSlave&>(slave).moment;
   switch (reference) {
     case rotation:
       return moment.inputs.rotation;
@@ -43,15 +35,15 @@ double real_value(const Slave& slave, unsigned reference) {
 }
 
 int integer_value(const Slave& slave, unsigned reference) {
-  const bitrock_signal& signal = slave.settings.signal;
+  const BitSlave& asked = static_cast<const BitSlave&>(slave);
+  const bitrock_signal& signal = asked.settings.signal;
   bitrock_tally tally{};
-  if (slave.moment.stale == 0) bitrock_core_tally(slave.core, &tally);
+  if (asked.moment.stale == 0) bitrock_core_tally(asked.core, &tally);
   switch (reference) {
     case questions:
       return as_integer(tally.asked);
     case clamped:
-      return as_integer(tally.speed_below + tally.speed_above + tally.depth_below + tally.depth_above +
-                        tally.rake_below + tally.rake_above);
+      return clamped_conditions(tally);
     case seed:
       return as_integer(static_cast<std::int64_t>(signal.seed));
     case combine:
@@ -60,6 +52,8 @@ int integer_value(const Slave& slave, unsigned reference) {
       return signal.amplitude_fit + first_item;
   }
 }
+
+namespace {
 
 void set_value(Settings& settings, Inputs& inputs, unsigned reference, double value) {
   switch (reference) {
@@ -86,14 +80,10 @@ void set_value(Settings& settings, Inputs& inputs, unsigned reference, double va
   }
 }
 
-namespace {
-
 /// What an importer may send, the lowest int too, must not overflow; -1 is no item, and is refused where it is used.
 int item_of(int value) {
   return value < first_item ? -1 : value - first_item;
 }
-
-}  // namespace
 
 void set_value(Settings& settings, Inputs&, unsigned reference, int value) {
   switch (reference) {
@@ -106,6 +96,28 @@ void set_value(Settings& settings, Inputs&, unsigned reference, int value) {
     default:
       settings.signal.amplitude_fit = item_of(value);
   }
+}
+
+template <class Value>
+const char* set_all(BitSlave& slave, const unsigned* references, std::size_t count, const Value* values) {
+  Settings settings = slave.settings;
+  Inputs inputs = slave.moment.inputs;
+  for (std::size_t i = 0; i < count; ++i) set_value(settings, inputs, references[i], values[i]);
+  if (slave.moment.phase != Phase::stepping && check(slave, settings) != BITROCK_OK)
+    return "a parameter is out of its range (see the model description)";
+  slave.settings = settings;
+  slave.moment.inputs = inputs;
+  return nullptr;
+}
+
+}  // namespace
+
+const char* set_values(Slave& slave, const unsigned* references, std::size_t count, const double* values) {
+  return set_all(static_cast<BitSlave&>(slave), references, count, values);
+}
+
+const char* set_values(Slave& slave, const unsigned* references, std::size_t count, const int* values) {
+  return set_all(static_cast<BitSlave&>(slave), references, count, values);
 }
 
 }  // namespace bitrock::fmu

@@ -1,13 +1,14 @@
 #pragma once
-/// The variables of the FMU: one table that the model description is written from and the library answers by. A value
-/// reference is a place in it.
+/// The variables of the FMU of a bit: one table that the model description is written from and the library answers by.
 
 #include <array>
 
+#include "runtime/fmu/variable.hpp"
+
 namespace bitrock::fmu {
 
-/// Numbers of the variables: their places in `variables`, which says unit and meaning of each.
-enum Reference : unsigned {
+/// Numbers of the variables: their places in `bit_variables`, which says unit and meaning of each.
+enum BitReference : unsigned {
   rotation,             ///< input [rad/s]
   rate_of_penetration,  ///< input [m/s]
   weight_on_bit,        ///< input [N]
@@ -22,36 +23,13 @@ enum Reference : unsigned {
   window_angle,         ///< parameter [rad]
   pulse_width_factor,   ///< parameter [1]
   seed,                 ///< parameter [1]
-  combine,              ///< parameter: `Type::combine`
-  amplitude_fit,        ///< parameter: `Type::amplitude_fit`
-  variable_count        ///< how many there are
-};
-
-/// What the host does with a variable.
-enum class Causality {
-  input,     ///< sets it before a step
-  output,    ///< reads it after a step
-  parameter  ///< sets it before the first step
-};
-/// What a value is.
-enum class Type {
-  real,          ///< fmi2Real
-  integer,       ///< fmi2Integer
-  combine,       ///< fmi2Integer, a word of `Combine` as an enumeration
-  amplitude_fit  ///< fmi2Integer, a word of `AmplitudeFit` as an enumeration
-};
-
-/// One variable of the description.
-struct Variable {
-  const char* name;         ///< with its unit
-  Causality causality;      ///< input, output or parameter
-  Type type;                ///< of the value
-  const char* unit;         ///< of `units` in model_description.cpp; empty: a plain number
-  const char* description;  ///< for people
+  combine,              ///< parameter, a word of `Combine`
+  amplitude_fit,        ///< parameter, a word of `AmplitudeFit`
+  bit_variable_count    ///< how many there are
 };
 
 /// In the order of their numbers.
-inline constexpr std::array<Variable, variable_count> variables{{
+inline constexpr std::array<Variable, bit_variable_count> bit_variables{{
     {"rotation_rad_per_s", Causality::input, Type::real, "rad/s",
      "rotation of the bit, positive in the direction of drilling; it cuts only while this is above 0"},
     {"rate_of_penetration_m_per_s", Causality::input, Type::real, "m/s", "of the bit into the rock"},
@@ -72,14 +50,11 @@ inline constexpr std::array<Variable, variable_count> variables{{
     {"pulse_width_factor", Causality::parameter, Type::real, "",
      "half-width of a peak over half the mean distance of peaks, above 0 and at most 2"},
     {"seed", Causality::parameter, Type::integer, "", "of all draws, 0 or more: give each bit its own"},
-    {"combine", Causality::parameter, Type::combine, "", "what overlapping peaks do"},
-    {"amplitude_fit", Causality::parameter, Type::amplitude_fit, "", "how heights meet their mean"},
+    {"combine", Causality::parameter, Type::enumeration, "", "what overlapping peaks do", "Combine"},
+    {"amplitude_fit", Causality::parameter, Type::enumeration, "", "how heights meet their mean", "AmplitudeFit"},
 }};
 
-/// Values of the two enumerations begin at 1, as some importers count their items.
-inline constexpr int first_item = 1;
-
-inline constexpr const char* model_identifier = "bitrock_bit";  ///< name of the libraries inside
-inline constexpr const char* block_file = "bit.block";          ///< in the folder `resources`
+inline constexpr const char* bit_identifier = "bitrock_bit";  ///< name of the libraries inside
+inline constexpr const char* bit_block_file = "bit.block";    ///< in the folder `resources`
 
 }  // namespace bitrock::fmu

@@ -1,0 +1,174 @@
+// The values of a string's variables (slave.hpp).
+#include "runtime/fmu/core_memory.hpp"
+#include "runtime/fmu/string_slave.hpp"
+#include "runtime/fmu/string_variables.hpp"
+
+namespace bitrock::fmu {
+
+namespace {
+
+double output_in_plane(const StringSlave& slave, unsigned reference) {
+  const runtime::DrillString& string = slave.plane;
+  const runtime::DrillState& state = slave.moment.plane;
+  switch (reference) {
+    case drive_rotation:
+      return table_rotation(string, state);
+    case drive_torque:
+      return table_torque(string, state);
+    case hook_load:
+      return string.drive.hook_load;
+    case block_speed:
+      return state.axial.velocity.front();
+    case bit_rotation:
+      return state.torsional.velocity.back();
+    case torque_on_bit:
+      return runtime::torque_on_bit(state);
+    case bit_depth:
+      return bit_position(string, state) - slave.moment.face;
+    case string_time:
+      return slave.moment.start + state.time;
+    default:
+      return 0.0;
+  }
+}
+
+double output_in_well(const StringSlave& slave, unsigned reference) {
+  const runtime::WellStringState& state = slave.moment.well;
+  const StringContent& content = slave.block.content;
+  if (reference >= first_stress)
+    return stress_at(slave.well, state, content.stress_points[reference - first_stress], content.fluid_density).normal;
+  switch (reference) {
+    case drive_rotation:
+      return state.top.drive_speed;
+    case drive_torque:
+      return state.top.drive_torque;
+    case hook_load:
+      return state.top.hook_load;
+    case block_speed:
+      return slave.moment.controls.feed_speed;
+    case bit_rotation:
+      return spin_of(state.columns, 0);
+    case torque_on_bit:
+      return runtime::torque_on_bit(state.bit);
+    case bit_depth:
+      return state.bit.depth;
+    case fed:
+      return state.top.fed;
+    case bit_side_force:
+      return state.bit.side_force;
+    case string_time:
+      return slave.moment.start + state.time;
+    default:
+      return 0.0;
+  }
+}
+
+double output_of(const StringSlave& slave, unsigned reference) {
+  if (slave.clock.stale != 0) return 0.0;
+  const bool in_well = slave.block.content.in_well;
+  const runtime::BitRockState& bit = in_well ? static_cast<const runtime::BitRockState&>(slave.moment.well.bit)
+                                             : static_cast<const runtime::BitRockState&>(slave.moment.plane);
+  switch (reference) {
+    case weight_on_bit:
+      return bit.weight_on_bit;
+    case source_force:
+      return bit.source_force;
+    case rate_of_penetration:
+      return bit.rate_of_penetration;
+    default:
+      return in_well ? output_in_well(slave, reference) : output_in_plane(slave, reference);
+  }
+}
+
+void set_value(StringSettings& settings, unsigned reference, double value) {
+  switch (reference) {
+    case set_rotation:
+      settings.rotation = value;
+      break;
+    case set_torque:
+      settings.torque = value;
+      break;
+    case set_hook_load:
+      settings.hook_load = value;
+      break;
+    case set_weight_on_bit:
+      settings.weight_on_bit = value;
+      break;
+    case set_block_speed:
+      settings.block_speed = value;
+      break;
+    case drive_ramp:
+      settings.drive_ramp = value;
+      break;
+    default:
+      settings.hole_friction = value;
+  }
+}
+
+void set_value(StringSettings& settings, unsigned reference, int value) {
+  (reference == seed ? settings.seed : settings.rig) = value;
+}
+
+template <class Value>
+const char* set_all(StringSlave& slave, const unsigned* references, std::size_t count, const Value* values) {
+  StringSettings settings = slave.settings;
+  for (std::size_t i = 0; i < count; ++i) set_value(settings, references[i], values[i]);
+  const char* const reason = objection_to(settings);
+  if (reason == nullptr) slave.settings = settings;
+  return reason;
+}
+
+}  // namespace
+
+const char* objection_to(const StringSettings& settings) {
+  if (settings.rotation < 0.0) return "set_rotation_rad_per_s must be 0 or more";
+  if (settings.hook_load < 0.0) return "set_hook_load_N must be 0 or more";
+  if (settings.weight_on_bit < 0.0) return "set_weight_on_bit_N must be 0 or more";
+  if (settings.drive_ramp < 0.0) return "drive_ramp_s must be 0 or more";
+  if (settings.hole_friction < 0.0) return "hole_friction_factor must be 0 or more";
+  if (settings.rig != static_cast<int>(RigDriver::plan) && settings.rig != static_cast<int>(RigDriver::host))
+    return "rig must be 1 (plan) or 2 (host)";
+  return nullptr;
+}
+
+double real_value(const Slave& slave, unsigned reference) {
+  const StringSlave& asked = static_cast<const StringSlave&>(slave);
+  const StringSettings& settings = asked.settings;
+  switch (reference) {
+    case set_rotation:
+      return settings.rotation;
+    case set_torque:
+      return settings.torque;
+    case set_hook_load:
+      return settings.hook_load;
+    case set_weight_on_bit:
+      return settings.weight_on_bit;
+    case set_block_speed:
+      return settings.block_speed;
+    case drive_ramp:
+      return settings.drive_ramp;
+    case hole_friction_factor:
+      return settings.hole_friction;
+    default:
+      return output_of(asked, reference);
+  }
+}
+
+int integer_value(const Slave& slave, unsigned reference) {
+  const StringSlave& asked = static_cast<const StringSlave&>(slave);
+  if (reference == rig) return static_cast<int>(asked.settings.rig);
+  if (reference == seed) return static_cast<int>(asked.settings.seed);
+  bitrock_tally tally{};
+  if (asked.clock.stale == 0) bitrock_core_tally(asked.core, &tally);
+  return clamped_conditions(tally);
+}
+
+const char* set_values(Slave& slave, const unsigned* references, std::size_t count, const double* values) {
+  return set_all(static_cast<StringSlave&>(slave), references, count, values);
+}
+
+const char* set_values(Slave& slave, const unsigned* references, std::size_t count, const int* values) {
+  return set_all(static_cast<StringSlave&>(slave), references, count, values);
+}
+
+}  // namespace bitrock::fmu
