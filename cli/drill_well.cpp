@@ -75,7 +75,7 @@ void run_in_well(const CommonOptions& common, const CaseFlags& flags, int seed, 
     result = runtime::run_well(well, string, source, progress.callback());
   }
   const std::string fingerprint = model ? base::fingerprint_text(base::read_whole(well.drill.source.model_file)) : "";
-  runtime::write_well_run(result, base::read_whole(flags.file), fingerprint, well.drill.run.settling, output);
+  runtime::write_well_run(result, well, fingerprint, output);
   const runtime::WellSummary& s = result.summary;
   say(common,
       "{}: {:.1f} m of pipe run in, bit at {:.2f} m, {:.3f} m drilled\nhook load {:.1f} kN, torque {:.0f} N m, weight "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "base/errors.hpp"
@@ -370,20 +371,18 @@ void put_bit_inside(std::vector<base::Section>& sections, Bit& bit, BitWords& wo
 
 }  // namespace
 
-std::string resolved_toml(const DrillCase& drill) {
+std::string resolved_common_toml(const DrillCase& drill, std::vector<base::Section> more,
+                                 const std::vector<std::string>& left_out) {
   DrillCase copy = drill;
   Words words = words_of(drill);
   std::vector<base::Section> sections = describe(copy, words);
-  if (copy.pipes.empty()) {
-    if (copy.axial.size() > 0) sections.push_back(describe_axial(copy.axial));
-    sections.push_back(describe_torsion(copy.torsional));
-  } else {
-    sections.push_back(describe_string(copy, words));
-    for (PipeSection& pipe : copy.pipes) {
-      sections.push_back(describe(pipe));
-      sections.back().name = "[pipe]";  // an array of tables
-    }
-  }
+  const auto is_out = [&](const std::string& name) {
+    return std::find(left_out.begin(), left_out.end(), name) != left_out.end();
+  };
+  std::erase_if(sections, [&](const base::Section& section) { return is_out(section.name); });
+  for (base::Section& section : sections)
+    std::erase_if(section.fields, [&](const base::Field& field) { return is_out(section.name + "." + field.name); });
+  std::move(more.begin(), more.end(), std::back_inserter(sections));
   BitWords words_of_bit = words_of(copy.bit);
   if (!copy.bit.cutters.empty()) put_bit_inside(sections, copy.bit, words_of_bit);
   for (base::Section& section : sections) {  // a list that is empty was not given
@@ -393,6 +392,23 @@ std::string resolved_toml(const DrillCase& drill) {
     });
   }
   return base::to_exact_toml(sections);
+}
+
+std::string resolved_toml(const DrillCase& drill) {
+  DrillCase copy = drill;
+  Words words = words_of(drill);
+  std::vector<base::Section> string;
+  if (copy.pipes.empty()) {
+    if (copy.axial.size() > 0) string.push_back(describe_axial(copy.axial));
+    string.push_back(describe_torsion(copy.torsional));
+  } else {
+    string.push_back(describe_string(copy, words));
+    for (PipeSection& pipe : copy.pipes) {
+      string.push_back(describe(pipe));
+      string.back().name = "[pipe]";  // an array of tables
+    }
+  }
+  return resolved_common_toml(drill, std::move(string));
 }
 
 std::vector<base::KeyRow> drill_keys() {

@@ -90,6 +90,12 @@ DrillCase recorded_drill_case(std::string_view text, const std::string& name);
 /// The case with every value and the bit inside, as a file that is read back to the same bits. It names the networks.
 std::string resolved_toml(const DrillCase& drill);
 
+/// For the writer of a case with another string: the tables of `read_common_tables`, and `more`, as one text that is
+/// read back to the same bits, the bit inside. `left_out`: tables ("wall") and keys ("run.start") that have no meaning
+/// there.
+std::string resolved_common_toml(const DrillCase& drill, std::vector<base::Section> more,
+                                 const std::vector<std::string>& left_out = {});
+
 /// What people are told of the keys of a drill case.
 std::vector<base::KeyRow> drill_keys();
 

@@ -4,14 +4,16 @@
 
 #include <sstream>
 
-#include "base/hdf5_file.hpp"
 #include "runtime/drillstring/series_file.hpp"
 #include "runtime/well/well_file.hpp"
 
 namespace bitrock::runtime {
 
 StressHistories read_stress_histories(const std::filesystem::path& path) {
-  const base::Hdf5Reader file(path);
+  return read_stress_histories(base::Hdf5Reader(path));
+}
+
+StressHistories read_stress_histories(const base::Hdf5Reader& file) {
   file.require_format(well_format, well_format_version);
   StressHistories histories;
   histories.time = file.doubles("/series/time_s");

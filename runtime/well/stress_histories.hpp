@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/hdf5_file.hpp"
+
 namespace bitrock::runtime {
 
 /// Of one point of the string that turns with the pipe.
@@ -23,5 +25,7 @@ struct StressHistories {
 
 /// Throws `base::InputError` for a file that is none of a run in a well, or whose arrays do not fit together.
 StressHistories read_stress_histories(const std::filesystem::path& path);
+/// The same of a file that is open.
+StressHistories read_stress_histories(const base::Hdf5Reader& file);
 
 }  // namespace bitrock::runtime

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -19,7 +20,9 @@ namespace {
 using base::any, base::between, base::zero_or;
 using base::deg, base::kN, base::mm, base::ms;
 
-constexpr double most_segments = 4000;         // a minute of it takes half an hour
+constexpr double most_segments = 4000;  // a minute of it takes half an hour
+constexpr double most_frames = 1e5;
+constexpr double most_nodes_kept = 2e7;        // 48 bytes each, 1 GB
 const base::Range depths = between(0.0, 2e4);  // m; the deepest wells have 15 km
 
 /// One section of which these keys may also be given in units of the oil field.
@@ -40,6 +43,8 @@ base::Section describe_well(WellCase& well, Words& words) {
         {"inclination_deg", &words.inclination, deg, between(0.0, 180.0), "of the stations, from the vertical"},
         {"azimuth_deg", &words.azimuth, deg, between(-360.0, 720.0), "of the stations, from north to east"},
         {"bottom_depth_m", &well.bottom_depth, 1.0, depths, "measured depth of the bottom at the beginning; 0: none"},
+        {"frames", &well.frames, 1.0, between(0.0, most_frames),
+         "instants, evenly over the run, of which the file keeps the whole string; 0: none"},
         {"top", &words.top, 1.0, any(), "'split': the string gets new segments; 'grow': its top one gets longer"},
         {"bit_gauge_mm", &well.bit_gauge, mm, zero_or(1.0, 2000.0), "diameter with which the bit rubs; 0: it does not"},
         {"mud_added_mass", &well.mud_added_mass, 1.0, any(), "whether mud moves with the pipe across its axis"},
@@ -148,8 +153,10 @@ bool has_well(const std::filesystem::path& file) {
   return base::ConfigFile::read(file).has_table("well");
 }
 
-WellCase read_well_case(const std::filesystem::path& path) {
-  base::ConfigFile file = base::ConfigFile::read(path);
+namespace {
+
+/// The keys of the file, without looking at the files they name.
+WellCase read_keys(base::ConfigFile& file) {
   if (!file.has_table("well"))
     throw base::InputError(file.name() + ": no [well] (drill modes knows strings without one)");
   WellCase well;
@@ -175,7 +182,11 @@ WellCase read_well_case(const std::filesystem::path& path) {
   if (well.hole.empty()) throw base::InputError(file.name() + ": a case with [well] needs [[hole]]");
   if (well.plan.weight_on_bit > 0.0 && well.bottom_depth == 0.0)
     file.refuse("trip", "weight_on_bit_kN", "needs a bottom (well.bottom_depth_m)");
-  complete(file, well.drill);
+  return well;
+}
+
+/// What follows from the keys.
+void settle(const base::ConfigFile& file, WellCase& well) {
   if (!well.drill.drive.imposes_speed) file.refuse("top_drive", "imposes", "must be 'speed' beside [well]");
   well.plan.rotation = well.drill.drive.rotation;
   well.plan.rotation_ramp = well.drill.drive.ramp;
@@ -186,7 +197,47 @@ WellCase read_well_case(const std::filesystem::path& path) {
     point.outer_diameter = pipe.outer_diameter;
     point.inner_diameter = pipe.inner_diameter;
   }
+}
+
+}  // namespace
+
+WellCase read_well_case(const std::filesystem::path& path) {
+  base::ConfigFile file = base::ConfigFile::read(path);
+  WellCase well = read_keys(file);
+  complete(file, well.drill);
+  settle(file, well);
   return well;
+}
+
+WellCase recorded_well_case(std::string_view text, const std::string& name) {
+  base::ConfigFile file = base::ConfigFile::from_text(text, name);
+  WellCase well = read_keys(file);
+  settle(file, well);
+  return well;
+}
+
+std::string resolved_toml(const WellCase& well) {
+  WellCase copy = well;
+  Words words{.top = well.growth == Growth::grow ? "grow" : "split"};
+  for (const SurveyStation& station : well.stations) {
+    words.depth.push_back(station.measured_depth);
+    words.inclination.push_back(station.inclination);
+    words.azimuth.push_back(station.azimuth);
+  }
+  std::vector<base::Section> sections{describe_well(copy, words), describe_plan(copy.plan)};
+  const auto add_entry = [&sections](base::Section section) {
+    section.name = "[" + section.name + "]";  // an array of tables
+    sections.push_back(std::move(section));
+  };
+  for (HoleSection& hole : copy.hole) add_entry(describe_hole(hole));
+  for (WellPipe& pipe : copy.pipes) {
+    base::Section section = describe(pipe.pipe), of_well = describe_pipe(pipe);
+    std::move(of_well.fields.begin(), of_well.fields.end(), std::back_inserter(section.fields));
+    add_entry(std::move(section));
+  }
+  for (StressPoint& point : copy.stress_points) add_entry(describe_point(point));
+  return resolved_common_toml(copy.drill, std::move(sections),
+                              {"wall", "top_drive.hook_load_kN", "run.start", "run.off_bottom_mm"});
 }
 
 WellString assemble(const WellCase& well) {
@@ -214,6 +265,9 @@ WellString assemble(const WellCase& well) {
   if (segments > most_segments)
     throw base::InputError(fmt::format("a string of {:.0f} segments (at most {:.0f}: raise pipe.segment_length_m)",
                                        segments, most_segments));
+  if (well.frames * segments > most_nodes_kept)
+    throw base::InputError(fmt::format("well.frames = {} of a string of {:.0f} segments (at most {:.0f})", well.frames,
+                                       segments, std::floor(most_nodes_kept / segments)));
   const WellPath path = well_path(well.stations);
   constexpr double most_lean = 5.0 * deg;
   if (well.stations.front().measured_depth != 0.0)

@@ -35,6 +35,7 @@ struct WellCase {
   bool mud_added_mass = false;             ///< mud that moves with the pipe across its axis counts
   double drag_across = 0.0;                ///< [N s/m^2] of the mud
   RigPlan plan;                            ///< what is done
+  int frames = 400;                        ///< instants of which the run keeps the whole string, besides the beginning
   std::vector<StressPoint> stress_points;  ///< whose history is kept
 };
 
@@ -46,6 +47,14 @@ WellCase read_well_case(const std::filesystem::path& file);
 
 /// The string of the case, in the hole along `stations`, at its beginning. Throws `InputError`.
 WellString assemble(const WellCase& well);
+
+/// The case with every value, its survey and its bit inside, as a file that is read back to the same bits. It names the
+/// networks.
+std::string resolved_toml(const WellCase& well);
+
+/// The case back from `resolved_toml`, or from the text of a file, long after: what it names need not be there any more
+/// (`stations` are then empty where a survey file gave them, and the bit is not read). `name` is for messages.
+WellCase recorded_well_case(std::string_view text, const std::string& name);
 
 /// What people are told of the keys besides those of `drill_keys`.
 std::vector<base::KeyRow> well_keys();

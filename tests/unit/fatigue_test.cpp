@@ -134,7 +134,9 @@ runtime::WellRun turning_run() {
 
 TEST(FatigueOfARun, DamagePerHourOfPipeThatTurnsInTheBuild) {
   const scratch::Folder folder("fatigue");
-  runtime::write_well_run(turning_run(), "", "", 325.0, folder / "run.h5");
+  runtime::WellCase well;
+  well.drill.run.settling = 325.0;
+  runtime::write_well_run(turning_run(), well, "", folder / "run.h5");
   const runtime::StressHistories histories = runtime::read_stress_histories(folder / "run.h5");
   ASSERT_EQ(histories.points.size(), 2u);
   EXPECT_EQ(histories.points[0].name, "pipe in the build");
