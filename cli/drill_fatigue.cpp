@@ -11,20 +11,18 @@ namespace bitrock::cli {
 
 namespace {
 
-constexpr const char* usual_curve = "B1 air";
-constexpr double usual_tensile_strength_MPa = 689.0;  // grade E75, the softest drill pipe (API 5D)
-
 struct Options {
   CommonOptions common;
-  std::string run_file, curve = usual_curve, curve_file;
-  double tensile_strength_MPa = usual_tensile_strength_MPa, from = -1.0, to = std::numeric_limits<double>::infinity();
+  std::string run_file, curve = studies::usual_sn_curve, curve_file;
+  double tensile_strength_MPa = studies::usual_tensile_strength / base::MPa, from = -1.0,
+         to = std::numeric_limits<double>::infinity();
 };
 
 studies::SnCurve curve_of(const Options& options) {
   if (!options.curve_file.empty()) return studies::read_sn_curve(options.curve_file);
   const studies::SnCurve* known = studies::find_sn_curve(options.curve);
   if (known != nullptr) return *known;
-  throw base::InputError("--sn-curve '" + options.curve + "' (must be '" + usual_curve +
+  throw base::InputError("--sn-curve '" + options.curve + "' (must be '" + studies::usual_sn_curve +
                          "', or give a table by --sn-table)");
 }
 

@@ -77,6 +77,10 @@ std::vector<PointDamage> damage_of(const runtime::StressHistories& run, const Fa
   return damages;
 }
 
+FatigueWish usual_fatigue_wish() {
+  return {.curve = *find_sn_curve(usual_sn_curve), .tensile_strength = usual_tensile_strength};
+}
+
 SnCurve read_sn_curve(const std::string& file) {
   const base::CsvTable table = base::read_csv(file);
   table.require({"stress_range_MPa", "cycles"});

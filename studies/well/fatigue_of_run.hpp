@@ -19,6 +19,14 @@ struct FatigueWish {
   double to = std::numeric_limits<double>::infinity();  ///< [s]
 };
 
+/// As long as nobody asks for another curve or steel: B1 in air, quoted from memory, and grade E75 (API 5D), the
+/// softest drill pipe.
+inline constexpr const char* usual_sn_curve = "B1 air";
+inline constexpr double usual_tensile_strength = 689e6;  ///< [Pa]
+
+/// The two, after the settling of the case.
+FatigueWish usual_fatigue_wish();
+
 /// One point of the string.
 struct PointDamage {
   std::string name;               ///< of the case

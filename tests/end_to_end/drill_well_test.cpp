@@ -76,6 +76,59 @@ TEST(DrillWell, FatigueOfARun) {
   refused((folder / "case.toml").string(), "case.toml");
 }
 
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(DrillWell, IsReportedExportedAndMadeAgain) {
+  const scratch::Folder folder("drill_well_report");
+  base::write_whole(folder / "case.toml", short_case());
+  const std::string file = (folder / "run.h5").string(), page = (folder / "page.html").string(),
+                    vtk = (folder / "vtk").string();
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto reported = run("report " + file + " -o " + page + " --figures " + (folder / "figures").string());
+  ASSERT_EQ(reported.status, 0) << reported.text;
+  const std::string html = base::read_whole(page);
+  for (const char* words :
+       {"deviated well, 300 m tripped in", "id=\"space-1\"", "collar, 20 m behind the bit", "161 along"})
+    EXPECT_TRUE(holds(html, words)) << words;
+  for (const char* figure : {"well_profile", "well_stress", "well_spectra", "well_orbits"})
+    EXPECT_TRUE(base::is_there(folder / "figures" / (std::string(figure) + ".gp"))) << figure;
+  const auto exported = run("export vtk " + file + " -o " + vtk + " --json " + (folder / "v.json").string());
+  ASSERT_EQ(exported.status, 0) << exported.text;
+  EXPECT_EQ(json(folder / "v.json")["frames"], 401);
+  EXPECT_TRUE(base::is_there(folder / "vtk/frames/string_0400.vtp"));
+  // the file holds its case, survey inside: made again, it is the same
+  ASSERT_EQ(run("export config " + file + " -o " + (folder / "again.toml").string()).status, 0);
+  ASSERT_EQ(run("drill run " + (folder / "again.toml").string() + " -o " + (folder / "again.h5").string() + " --json " +
+                (folder / "a.json").string())
+                .status,
+            0);
+  ASSERT_EQ(
+      run("drill run " + (folder / "case.toml").string() + " -o " + file + " --json " + (folder / "b.json").string())
+          .status,
+      0);
+  EXPECT_EQ(json(folder / "a.json")["summary"], json(folder / "b.json")["summary"]);
+  const auto refused = [](const std::string& command, const std::string& words) {
+    const auto said = run(command);
+    EXPECT_EQ(said.status, 2) << said.text;
+    EXPECT_TRUE(holds(said.text, words)) << said.text;
+  };
+  const std::string nothing = (folder / "nothing.h5").string();
+  refused("report " + file + " " + file + " -o " + page, "are one file");
+  refused("report " + file + " " + nothing + " -o " + page, "nothing.h5");
+  base::write_whole(folder / "case.toml", replaced(short_case(), "[well]", "[well]\nframes = 0"));
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  EXPECT_EQ(run("report " + file + " -o " + page).status, 0);
+  EXPECT_FALSE(holds(base::read_whole(page), "id=\"space-1\""));
+  refused("export vtk " + file + " -o " + vtk, "well.frames");
+  base::write_whole(folder / "case.toml", replaced(short_case(), "[well]", "[well]\nframes = -1"));
+  refused("drill run " + (folder / "case.toml").string(), "frames");
+  refused("drill compare " + (folder / "case.toml").string() + " -o " + folder.path().string(), "frames");
+  base::write_whole(folder / "case.toml", short_case());
+  refused("drill compare " + (folder / "case.toml").string() + " -o " + folder.path().string(), "must be 'bit'");
+}
+
 TEST(DrillWell, StaticsOfTheShippedCase) {
   const scratch::Folder folder("drill_well_statics");
   const auto outcome = run("drill statics " + shipped + " --json " + (folder / "s.json").string());
