@@ -129,10 +129,17 @@
         }
       }
       pen.fillStyle = muted;
-      const half = (one, other) => [0.5 * (one[0] + other[0]) + 6, 0.5 * (one[1] + other[1]) + 14];
-      pen.fillText(data.axes[0], ...half(corner(0, 0, 1), corner(1, 0, 1)));
-      pen.fillText(data.axes[1], ...half(corner(0, 0, 1), corner(0, 1, 1)));
-      pen.fillText(data.axes[2], ...half(corner(1, 1, 0), corner(1, 1, 1)));
+      // an axis has its name at the end of an edge, away from the middle of the box
+      const centre = place(...box.map(([low, high]) => 0.5 * (low + high)));
+      const name = (text, at) => {
+        const left = at[0] < centre[0];
+        pen.textAlign = left ? "right" : "left";
+        pen.fillText(text, at[0] + (left ? -8 : 8), at[1] + (at[1] < centre[1] ? -4 : 14));
+      };
+      name(data.axes[0], corner(1, 1, 1));
+      name(data.axes[1], corner(0, 1, 1));
+      name(data.axes[2], corner(1, 1, 0));
+      pen.textAlign = "left";
     }
 
     function draw_colours(low, high, name) {

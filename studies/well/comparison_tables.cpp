@@ -61,6 +61,7 @@ std::string row(const std::string& head, const ComparedWells& runs,
   std::string text = head;
   for (const std::vector<ComparedWell>& of_source : runs) {
     std::vector<double> values;
+    values.reserve(of_source.size());
     for (const ComparedWell& run : of_source) values.push_back(value(run));
     text += fmt::format(" {} |", cell(values));
   }

@@ -223,6 +223,12 @@ report::Series clearance_circle(double clearance) {
   return circle;
 }
 
+/// `rate` [rpm] of net turns about the middle of the hole.
+std::string whirl_words(double rate) {
+  constexpr double slow = 0.1;  // a turn in ten minutes
+  return std::abs(rate) < slow ? "stays on its side" : fmt::format("goes round the middle {:.2f} times a minute", rate);
+}
+
 report::Plot orbit_plot(const std::vector<ShownWell>& runs, std::size_t run, std::size_t point) {
   const runtime::WellFile& file = runs[run].file;
   const runtime::Orbit& orbit = file.orbits[point];
@@ -240,10 +246,8 @@ report::Plot orbit_plot(const std::vector<ShownWell>& runs, std::size_t run, std
           .x_label = "to the right [mm]",
           .y_label = "up [mm]",
           .series = {clearance_circle(orbit.clearance), std::move(line), std::move(now)},
-          .caption =
-              fmt::format("The joint at {:.1f} m, the last {:.3g} s; it goes round the middle {:.2f} times a "
-                          "minute.",
-                          orbit.measured_depth, static_cast<double>(shown) * sample, whirl_rate(orbit, sample) / rpm),
+          .caption = fmt::format("The joint at {:.1f} m, the last {:.3g} s; it {}.", orbit.measured_depth,
+                                 static_cast<double>(shown) * sample, whirl_words(whirl_rate(orbit, sample) / rpm)),
           .equal_axes = true,
           .height_px = orbit_px};
 }

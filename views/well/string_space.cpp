@@ -79,7 +79,7 @@ report::SpaceView string_space(const runtime::WellFile& run, std::size_t instant
   const double deepest =
       static_cast<double>(*std::max_element(frames.measured_depth_m.begin(), frames.measured_depth_m.end()));
   HoleLine hole = hole_line(run, below_bit * deepest);
-  report::SpaceView view{.title = "The string in its well",
+  report::SpaceView view{.title = "Over time, coloured by what it bears",
                          .caption =
                              "Drag the picture to turn it. The string is drawn off the middle of the hole "
                              "(grey, with measured depths) by its offset times the magnification, so it may stand "
