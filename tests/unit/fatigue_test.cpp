@@ -20,10 +20,6 @@ constexpr double pi = std::numbers::pi, steel = 200e9;
 /// Drill pipe of 127 x 108.61 mm and a collar of 165.1 x 71.4375 mm in a build of 10 degrees per 30 m.
 constexpr double pipe_radius = 0.127 / 2, collar_radius = 0.1651 / 2, build_radius = 30.0 / (10.0 * pi / 180.0);
 
-double second_moment(double outside, double inside) {
-  return pi / 64.0 * (std::pow(outside, 4) - std::pow(inside, 4));
-}
-
 TEST(SnCurve, LivesOfTheBuildByB1) {
   const studies::SnCurve* const b1 = studies::find_sn_curve("B1 air");
   ASSERT_NE(b1, nullptr);
@@ -59,17 +55,6 @@ TEST(SnCurve, ThroughPoints) {
   EXPECT_NE(refused({400, -1}, {1e5, 1e6}).find("all above 0"), std::string::npos);
   EXPECT_NE(refused({400, std::nan("")}, {1e5, 1e6}).find("all above 0"), std::string::npos);
   EXPECT_NE(refused({400}, {1e5}).find("at least two points"), std::string::npos);
-}
-
-TEST(BendingMagnification, OfPipeBetweenItsToolJoints) {
-  // 2 L = 9.144 m; 100 to 500 kN
-  const double stiffness = steel * second_moment(0.127, 0.10861), half = 9.144 / 2;
-  const double expected[] = {1.528, 1.966, 2.345, 2.680, 2.982};
-  for (int k = 0; k < 5; ++k)
-    EXPECT_NEAR(studies::bending_magnification(1e5 * (k + 1), stiffness, half), expected[k], 1e-3) << k;
-  EXPECT_EQ(studies::bending_magnification(0.0, stiffness, half), 1.0);
-  EXPECT_NEAR(studies::bending_magnification(1.0, stiffness, half), 1.0, 1e-5);
-  EXPECT_LT(studies::bending_magnification(-5e4, stiffness, half), 1.0);
 }
 
 TEST(Goodman, TensionShortensTheLifeAndPressureDoesNot) {
