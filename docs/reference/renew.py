@@ -108,6 +108,7 @@ def short_case():
 def short_well():
     """The shipped string in a deviated well, the beginning of its trip."""
     text = (SHIPPED / "drill/deviated.toml").read_text(encoding="utf-8").replace("../", f"{SHIPPED}/")
+    text = text.replace('top = "split"', 'top = "split"\nevery_joint = true')
     return text.replace("duration_s = 350", "duration_s = 1").replace("settling_s = 325", "settling_s = 0.2")
 
 

@@ -23,6 +23,10 @@ Section above(const WellStringState& state, std::size_t i) {
 
 }  // namespace
 
+double axial_stress(double tension, double section_area, double fluid_density, double depth) {
+  return tension / section_area - fluid_density * gravity * std::max(0.0, depth);
+}
+
 Stress stress_at(const WellString& string, const WellStringState& state, const StressPoint& point,
                  double fluid_density) {
   const Columns& columns = state.columns;
@@ -42,7 +46,7 @@ Stress stress_at(const WellString& string, const WellStringState& state, const S
   const PipeSection ring{.outer_diameter = point.outer_diameter, .inner_diameter = point.inner_diameter};
   const double second = 0.5 * polar_moment(ring), radius = 0.5 * point.outer_diameter;
   Stress stress;
-  stress.axial = tension / area(ring) - fluid_density * gravity * std::max(0.0, place.z);
+  stress.axial = axial_stress(tension, area(ring), fluid_density, place.z);
   stress.normal = stress.axial + radius / second * (m.y * std::sin(point.angle) - m.z * std::cos(point.angle));
   stress.shear = m.x * radius / (2.0 * second);
   stress.von_mises = std::sqrt(stress.normal * stress.normal + 3.0 * stress.shear * stress.shear);

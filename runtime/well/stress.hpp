@@ -24,13 +24,17 @@ struct Stress {
   double measured_depth = 0.0;  ///< [m] of the joint below the point, and so much of the segment; along the hole
 };
 
+/// T_e / A - rho_f g z [Pa]: tension in the steel from the tension in the mud [N], for a section [m^2] in still mud
+/// [kg/m^3] at a depth [m] below the table.
+double axial_stress(double tension, double section_area, double fluid_density, double depth);
+
 /// **What** Stress at a point between two joints.
 /// **Equation** sigma = T / A + (D / 2I)(m2 sin psi - m3 cos psi), tau = m1 D / 4I, von Mises
 /// sqrt(sigma^2 + 3 tau^2); T = T_e - p A.
 /// **Symbols** T_e [N] tension in the mud (`JointLoad::section_force`), p = rho_f g z [Pa] of still mud; m1 torque, m2,
 /// m3 [N m] bending moments about the second and third axis; psi [rad]; A, I [m^2, m^4] of the ring.
 /// **Differences and validity** Moments and tension are linear between the two joints of the segment. Without the
-/// bending peak at a tool joint.
+/// bending peak at a tool joint (studies/well/bending_magnification.hpp).
 Stress stress_at(const WellString& string, const WellStringState& state, const StressPoint& point,
                  double fluid_density);
 

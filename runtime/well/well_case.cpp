@@ -20,6 +20,7 @@ using base::any, base::between, base::zero_or;
 using base::deg, base::kN, base::mm, base::ms;
 
 constexpr double most_segments = 4000;         // a minute of it takes half an hour
+constexpr double most_joint_rows = 5e7;        // of all joints: 800 MB
 const base::Range depths = between(0.0, 2e4);  // m; the deepest wells have 15 km
 
 /// One section of which these keys may also be given in units of the oil field.
@@ -47,7 +48,9 @@ base::Section describe_well(WellCase& well, Words& words) {
         {"axial_damping_ms", &well.damping.axial, ms, between(0.0, 10.0), "damper over spring, along the pipe"},
         {"shear_damping_ms", &well.damping.shear, ms, between(0.0, 10.0), "across"},
         {"torsional_damping_ms", &well.damping.torsion, ms, between(0.0, 10.0), "in twist"},
-        {"bending_damping_ms", &well.damping.bending, ms, between(0.0, 10.0), "in bending"}}},
+        {"bending_damping_ms", &well.damping.bending, ms, between(0.0, 10.0), "in bending"},
+        {"every_joint", &well.every_joint, 1.0, any(),
+         "whether the loads of every joint are kept, a row a sample after settling, for drill fatigue"}}},
       {"measured_depth_m", "bottom_depth_m", "bit_gauge_mm"});
 }
 
@@ -77,8 +80,10 @@ base::Section describe_pipe(WellPipe& pipe) {
       {"pipe",
        {{"segment_length_m", &pipe.segment_length, 1.0, between(0.1, 100.0), "of its segments, at most"},
         {"contact_diameter_mm", &pipe.contact_diameter, mm, zero_or(1.0, 2000.0),
-         "with which it touches the wall, of tool joints; 0: of the body"}}},
-      {"segment_length_m", "contact_diameter_mm"});
+         "with which it touches the wall, of tool joints; 0: of the body"},
+        {"tool_joint_distance_m", &pipe.tool_joint_distance, 1.0, zero_or(0.5, 100.0),
+         "from one tool joint to the next, for drill fatigue; 0: none that stand out"}}},
+      {"segment_length_m", "contact_diameter_mm", "tool_joint_distance_m"});
 }
 
 base::Section describe_point(StressPoint& point) {
@@ -110,16 +115,6 @@ void take_stations(const base::ConfigFile& file, const Words& words, WellCase& w
     well.stations.push_back({words.depth[i], words.inclination[i], words.azimuth[i]});
 }
 
-/// The pipe that is so far above the bit.
-const PipeSection& pipe_at(const WellCase& well, double above_bit) {
-  double below = 0.0;
-  for (std::size_t i = well.pipes.size(); i-- > 1;) {
-    below += well.pipes[i].pipe.length;
-    if (above_bit < below) return well.pipes[i].pipe;
-  }
-  return well.pipes.front().pipe;
-}
-
 void refuse_of_two_dimensions(const base::ConfigFile& file) {
   for (const char* table : {"string", "axial", "torsion", "wall"})
     if (file.has(table))
@@ -142,7 +137,28 @@ double added_mass(const PipeSection& pipe, double hole_diameter, double density)
   return density * quarter * (inner + (hole + outer) / (hole - outer) * outer);
 }
 
+/// The loads of every joint must go into memory.
+void require_room_for_joints(const WellCase& well, double segments) {
+  const DrillSchedule& run = well.drill.run;
+  const double rows = (run.duration - run.settling) / run.sample;
+  const double joints = segments + well.plan.run_in / well.pipes.front().segment_length;
+  if (rows * joints > most_joint_rows)
+    throw base::InputError(fmt::format(
+        "{}: well.every_joint keeps {:.0f} rows of some {:.0f} joints (at most {:g} in all: raise run.settling_s or "
+        "run.sample_ms)",
+        well.drill.name, rows, joints, most_joint_rows));
+}
+
 }  // namespace
+
+const WellPipe& pipe_at(const WellCase& well, double above_bit) {
+  double below = 0.0;
+  for (std::size_t i = well.pipes.size(); i-- > 1;) {
+    below += well.pipes[i].pipe.length;
+    if (above_bit < below) return well.pipes[i];
+  }
+  return well.pipes.front();
+}
 
 bool has_well(const std::filesystem::path& file) {
   return base::ConfigFile::read(file).has_table("well");
@@ -162,6 +178,11 @@ WellCase read_well_case(const std::filesystem::path& path) {
   for (int i = 0; i < file.count("pipe"); ++i) {
     WellPipe pipe{.pipe = read_pipe(file, i)};
     file.fill_entry(describe_pipe(pipe), i);
+    if (pipe.tool_joint_distance > 0.0 && pipe.contact_diameter <= pipe.pipe.outer_diameter)
+      throw base::InputError(
+          fmt::format("{}: pipe {}: tool_joint_distance_m needs tool joints that stand out "
+                      "(contact_diameter_mm above the outer diameter of {:g} mm)",
+                      file.name(), i + 1, pipe.pipe.outer_diameter / mm));
     well.pipes.push_back(pipe);
     well.drill.pipes.push_back(pipe.pipe);
   }
@@ -182,7 +203,7 @@ WellCase read_well_case(const std::filesystem::path& path) {
   if (well.drill.bit_rock.advance_law == AdvanceLaw::imposed)
     well.plan.drilling_speed = well.drill.bit_rock.imposed_advance;
   for (StressPoint& point : well.stress_points) {
-    const PipeSection& pipe = pipe_at(well, point.above_bit);
+    const PipeSection& pipe = pipe_at(well, point.above_bit).pipe;
     point.outer_diameter = pipe.outer_diameter;
     point.inner_diameter = pipe.inner_diameter;
   }
@@ -214,6 +235,7 @@ WellString assemble(const WellCase& well) {
   if (segments > most_segments)
     throw base::InputError(fmt::format("a string of {:.0f} segments (at most {:.0f}: raise pipe.segment_length_m)",
                                        segments, most_segments));
+  if (well.every_joint) require_room_for_joints(well, segments);
   const WellPath path = well_path(well.stations);
   constexpr double most_lean = 5.0 * deg;
   if (well.stations.front().measured_depth != 0.0)

@@ -58,6 +58,7 @@ void write_well_run(const WellRun& run, const std::string& config_toml, const st
   }
   file.attribute("stress_points", names);
   if (!depths.empty()) file.array("/stress/measured_depth_m", depths, "m", "where the points were at the end");
+  write_joints(run.joints, file);
   file.attribute("status", "complete");
   file.save(path);
 }

@@ -107,6 +107,10 @@ WellRun run_well(const WellCase& well, const WellString& string, const DrillSour
       run.series.stress_Pa[p].push_back(stress);
       if (state.time > schedule.settling) normal[p].add(stress);
     }
+    if (well.every_joint && state.time > schedule.settling) {
+      if (run.joints.empty()) run.joints = joints_of(well, state);
+      record_joints(string, state, well.drill.fluid_density, run.joints);
+    }
   }
   if (progress) progress(schedule.duration, schedule.duration);
 

@@ -3,7 +3,7 @@
 
 #include "base/progress.hpp"
 #include "runtime/drillstring/drill_run.hpp"
-#include "runtime/well/well_case.hpp"
+#include "runtime/well/joint_histories.hpp"
 
 namespace bitrock::runtime {
 
@@ -52,6 +52,7 @@ struct WellRun {
   WellSeries series;                  ///< samples
   WellSummary summary;                ///< means and extremes
   std::vector<StressAtEnd> stresses;  ///< in the order of the case
+  std::vector<JointHistory> joints;   ///< from the bit up, where the case keeps them
   double step = 0.0;                  ///< [s]
   long long steps = 0;                ///< taken
   double wall_time = 0.0;             ///< [s] on the clock

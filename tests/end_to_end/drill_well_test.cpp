@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/csv.hpp"
 #include "tests/end_to_end/program.hpp"
 
 using namespace bitrock;
@@ -74,6 +75,31 @@ TEST(DrillWell, FatigueOfARun) {
   refused(file + " --sn-curve C7", "--sn-curve 'C7' (must be 'B1 air'");
   refused(file + " --from-s 1.9999", "a cycle needs 3");
   refused((folder / "case.toml").string(), "case.toml");
+}
+
+TEST(DrillWell, DamageOverDepth) {
+  const scratch::Folder folder("drill_well_damage");
+  std::string text = replaced(short_case(), "top = \"split\"", "top = \"split\"\nevery_joint = true");
+  text = replaced(text, "inner_diameter_mm = 108.61",
+                  "inner_diameter_mm = 108.61\ncontact_diameter_mm = 168.3\ntool_joint_distance_m = 9.6");
+  base::write_whole(folder / "case.toml", text);
+  const std::string file = (folder / "run.h5").string(), table = (folder / "damage.csv").string();
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto outcome = run("drill fatigue " + file + " -o " + table + " --json " + (folder / "f.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("119 joints"), std::string::npos) << outcome.text;
+  const auto joints = json(folder / "f.json")["every_joint"];
+  ASSERT_EQ(joints.size(), 119u);
+  EXPECT_LT(joints[118]["md_m"].get<double>(), joints[0]["md_m"].get<double>()) << "from the bit up";
+  EXPECT_EQ(joints[0]["bending_magnification"].get<double>(), 1.0) << "collars have no tool joints";
+  const base::CsvTable csv = base::read_csv(table);
+  EXPECT_EQ(csv.rows(), 119u);
+  EXPECT_EQ(csv.column("damage_per_hour")[30], joints[30]["damage_per_hour"].get<double>());
+  base::write_whole(folder / "case.toml", short_case());
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto without = run("drill fatigue " + file + " -o " + table);
+  EXPECT_EQ(without.status, 2);
+  EXPECT_NE(without.text.find("give the case well.every_joint = true"), std::string::npos) << without.text;
 }
 
 TEST(DrillWell, StaticsOfTheShippedCase) {

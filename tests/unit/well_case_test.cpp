@@ -124,6 +124,32 @@ TEST_F(WellCases, WrongOnesAreRefusedInWords) {
   refused(with("[0, 0, 60]\n", "[0, 0, 60]\ntop = \"both\"\n"), "grow");
 }
 
+TEST_F(WellCases, KeepEveryJointWhenAsked) {
+  std::string text = with("[[hole]]", "every_joint = true\n[[hole]]");
+  text.replace(text.find("segment_length_m = 10"), 21,
+               "segment_length_m = 10\ncontact_diameter_mm = 168.3\ntool_joint_distance_m = 9.6");
+  const WellCase well = read_well_case(write(text));
+  const WellRun run = run_well(well, assemble(well), make_source(well.drill, std::nullopt));
+  ASSERT_EQ(run.joints.size(), 9u);
+  EXPECT_EQ(run.joints[0].tension.size(), 200u);  // a row a sample
+  EXPECT_EQ(run.joints[0].tool_joint_distance, 9.6);
+  EXPECT_NEAR(run.joints[0].stand_off, 0.5 * (0.1683 - 0.127), 1e-12);
+  EXPECT_NEAR(run.joints[3].above_bit, 38.0, 1e-12);
+  // a point 50 m above the bit lies between the joints at 47.5 and 57 m, and so does its stress
+  const double lower = run.joints[4].axial.back(), upper = run.joints[5].axial.back();
+  EXPECT_NEAR(run.stresses[0].stress.axial, lower + 2.5 / 9.5 * (upper - lower), 1e-6 * upper);
+  EXPECT_TRUE(run_well(read_well_case(write(small)), assemble(read_well_case(write(small))),
+                       make_source(well.drill, std::nullopt))
+                  .joints.empty());
+  refused(
+      with("segment_length_m = 10", "segment_length_m = 10\ntool_joint_distance_m = 9.6"),
+      "pipe 1: tool_joint_distance_m needs tool joints that stand out (contact_diameter_mm above the outer diameter "
+      "of 127 mm)");
+  std::string long_one = text;
+  long_one.replace(long_one.find("duration_s = 2"), 14, "duration_s = 70000");
+  refused(long_one, "well.every_joint keeps 7000000 rows of some 10 joints");
+}
+
 TEST(Rig, RunsInAsMuchAsIsAskedThenTurns) {
   const RigPlan plan{.run_in = 20.0, .run_in_speed = 1.0, .ramp = 2.0, .rotation = 6.0, .rotation_ramp = 4.0};
   RigState rig;
