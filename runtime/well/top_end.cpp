@@ -37,6 +37,21 @@ double growth_work(const WellString& string, const WellStringState& state, doubl
   return added * energy;
 }
 
+/// Speed of the drive during the step [rad/s], under the torque of the string; the work of its motor.
+double turn_drive(const DriveControl& control, WellStringState& state, double set_speed, double torque, double h) {
+  TopState& top = state.top;
+  const double lag = control.stiffness * (top.set_angle - top.drive_angle);
+  const double wanted = 0.5 * (top.set_speed + set_speed), half = 0.5 * h * control.damping / control.inertia;
+  const double before = top.drive_speed;
+  const double after =
+      ((1.0 - half) * before + 2.0 * half * wanted + h * (lag - torque) / control.inertia) / (1.0 + half);
+  const double mean = 0.5 * (before + after);
+  state.work.drive += h * (control.damping * (wanted - mean) + lag) * mean;
+  top.set_angle += h * set_speed;
+  top.set_speed = set_speed;
+  return after;
+}
+
 }  // namespace
 
 TableSprings table_springs(const WellString& string, const WellStringState& state) {
@@ -86,7 +101,8 @@ void load_table(const WellString& string, WellStringState& state, const RigContr
   const Vector3 damping{beta.shear * springs.sideways * stretching.x, beta.shear * springs.sideways * stretching.y,
                         beta.axial * springs.hoist * stretching.z};
   const Vector3 force = -(Vector3{springs.sideways * end.x, springs.sideways * end.y, springs.hoist * low} + damping);
-  const double behind = controls.drive_speed - spin_of(columns, top);
+  const bool gives_way = string.control.inertia > 0.0;
+  const double behind = (gives_way ? state.top.drive_speed : controls.drive_speed) - spin_of(columns, top);
   const double braking = beta.torsion * springs.drive * behind;
   const double torque = springs.drive * (state.top.drive_angle - columns.at(turns, top)) + braking;
   set_vector(columns, force_below, top, force);
@@ -95,9 +111,13 @@ void load_table(const WellString& string, WellStringState& state, const RigContr
   state.top.drive_torque = torque;
   state.work.dampers += h * (dot(damping, stretching) + braking * behind);
   state.work.growth -= h * controls.feed_speed * dot(damping, d);
-  state.work.drive += h * torque * 0.5 * (controls.drive_speed + state.top.drive_speed);
-  state.top.drive_speed = controls.drive_speed;
-  state.top.drive_angle += h * controls.drive_speed;
+  if (gives_way) {
+    state.top.drive_speed = turn_drive(string.control, state, controls.drive_speed, torque, h);
+  } else {
+    state.work.drive += h * torque * 0.5 * (controls.drive_speed + state.top.drive_speed);
+    state.top.drive_speed = controls.drive_speed;
+  }
+  state.top.drive_angle += h * state.top.drive_speed;
 }
 
 }  // namespace bitrock::runtime

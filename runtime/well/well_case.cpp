@@ -9,8 +9,10 @@
 
 #include "base/errors.hpp"
 #include "base/units.hpp"
+#include "runtime/drillstring/modes.hpp"
 #include "runtime/drillstring/pipe_entry.hpp"
 #include "runtime/well/step.hpp"
+#include "runtime/well/well_modes.hpp"
 
 namespace bitrock::runtime {
 
@@ -251,6 +253,9 @@ WellString assemble(const WellCase& well) {
   string.damping = well.damping;
   string.upper_end = UpperEnd::table;
   string.growth = well.growth;
+  if (drill.control.answer != DriveAnswer::stiff)  // tuned to the string that drills
+    string.control =
+        control_of(drill, 1.0 / natural_frequencies(chains_of(string, well.plan.run_in).torsional).front());
   // pipe of the trip, of going to bottom, and of drilling
   const double depth = well.bottom_depth > 0.0 ? std::max(0.0, well.bottom_depth - total) : well.plan.run_in;
   string.longest_grown = depth + well.plan.run_in + 5.0 + 2.0 * well.plan.drilling_speed * drill.run.duration;

@@ -46,6 +46,7 @@ WellString string_of(const Broomstick& broomstick, double length, double frictio
   well.pipes.front().pipe.length = length - lower_length(well);
   WellString string = runtime::assemble(well);
   string.on_rock = false;
+  string.control = {};  // steady: the drive does not give way
   string.growth = runtime::Growth::grow;
   string.longest_grown = 0.0;
   string.gauge_radius = std::max(string.gauge_radius, string.sections.back().contact_radius);
