@@ -361,7 +361,7 @@ namespace {
 /// The keys of the file, without looking at the files they name.
 DrillCase read_keys(base::ConfigFile& file) {
   if (file.has_table("well"))
-    throw base::InputError(file.name() + ": a case with [well] (only drill run and drill statics take one)");
+    throw base::InputError(file.name() + ": a case with [well] (drill run, modes, statics and broomstick take one)");
   DrillCase drill = read_common_tables(file);
   if (file.count("pipe") > 0) {
     read_pipes(file, drill);

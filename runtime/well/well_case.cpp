@@ -21,6 +21,7 @@ namespace {
 using base::any, base::between, base::zero_or;
 using base::deg, base::kN, base::mm, base::ms;
 
+constexpr double usual_answer_time = 5.0;      // s; some periods of the first axial mode of 1500 m
 constexpr double most_segments = 4000;         // a minute of it takes half an hour
 constexpr double most_joint_rows = 5e7;        // of all joints: 800 MB
 const base::Range depths = between(0.0, 2e4);  // m; the deepest wells have 15 km
@@ -31,7 +32,7 @@ base::Section in_oilfield_units(base::Section section, const std::vector<std::st
 }
 
 struct Words {
-  std::string top = "split", survey;
+  std::string top = "split", survey, feed = "rate";
   std::vector<double> depth, inclination, azimuth;
 };
 
@@ -56,7 +57,7 @@ base::Section describe_well(WellCase& well, Words& words) {
       {"measured_depth_m", "bottom_depth_m", "bit_gauge_mm"});
 }
 
-base::Section describe_plan(RigPlan& plan) {
+base::Section describe_plan(RigPlan& plan, Words& words, double& answer_time) {
   const base::Range speed = between(1e-4, 10.0), ramp = between(0.0, 1e3);
   return in_oilfield_units(
       {"trip",
@@ -64,7 +65,9 @@ base::Section describe_plan(RigPlan& plan) {
         {"speed_m_per_s", &plan.run_in_speed, 1.0, speed, "of that"},
         {"ramp_s", &plan.ramp, 1.0, ramp, "of every change of the feed"},
         {"weight_on_bit_kN", &plan.weight_on_bit, kN, between(0.0, 1e4), "to slack off to; 0: stays off bottom"},
-        {"slack_off_m_per_s", &plan.slack_off_speed, 1.0, between(1e-4, 1.0), "speed of that"}}},
+        {"slack_off_m_per_s", &plan.slack_off_speed, 1.0, between(1e-4, 1.0), "speed of that"},
+        {"feed", &words.feed, 1.0, any(), "while drilling: 'rate', with the rock; 'autodriller', by the weight on bit"},
+        {"autodriller_time_s", &answer_time, 1.0, between(1.0, 1e3), "in which the autodriller answers"}}},
       {"run_in_m", "weight_on_bit_kN"});
 }
 
@@ -73,7 +76,10 @@ base::Section describe_hole(HoleSection& hole) {
       {"hole",
        {{"to_depth_m", &hole.to_depth, 1.0, between(1e-3, 2e4), "measured depth of its lower end", true},
         {"diameter_mm", &hole.diameter, mm, between(1.0, 2000.0), "of hole or casing", true},
-        {"friction", &hole.friction, 1.0, between(0.0, 10.0), "coefficient", true}}},
+        {"friction", &hole.friction, 1.0, between(0.0, 10.0), "coefficient, of fast slip", true},
+        {"resting_friction", &hole.resting_friction, 1.0, between(0.0, 10.0), "coefficient at rest; 0: the same"},
+        {"friction_speed_m_per_s", &hole.slip_speed, 1.0, between(1e-4, 10.0),
+         "of slip, at which half of the difference is left"}}},
       {"to_depth_m", "diameter_mm"});
 }
 
@@ -130,6 +136,20 @@ void refuse_of_two_dimensions(const base::ConfigFile& file) {
     if (file.has(k.table, k.key)) file.refuse(k.table, k.key, k.why);
 }
 
+/// An autodriller holds the weight that the plan slacks off to, with the stiffness of the string that then hangs there.
+void take_feed(const base::ConfigFile& file, const Words& words, double answer_time, WellCase& well) {
+  if (words.feed != "rate" && words.feed != "autodriller")
+    file.refuse("trip", "feed", "must be one of 'rate', 'autodriller'");
+  well.plan.holds_weight = words.feed == "autodriller";
+  if (!well.plan.holds_weight && file.has("trip", "autodriller_time_s"))
+    file.refuse("trip", "autodriller_time_s", "needs feed = 'autodriller'");
+  if (well.plan.holds_weight && well.plan.weight_on_bit == 0.0)
+    file.refuse("trip", "feed", "needs the weight that the autodriller holds (weight_on_bit_kN)");
+  double compliance = well.plan.run_in / beam_of(well.pipes.front().pipe).axial;
+  for (const WellPipe& part : well.pipes) compliance += part.pipe.length / beam_of(part.pipe).axial;
+  well.plan.autodriller = autodriller_for(1.0 / compliance, answer_time, well.plan.slack_off_speed);
+}
+
 /// [kg/m] of mud that moves with a pipe across its axis in a hole: rho (A_i + C A_o), C = (D^2 + d^2) / (D^2 - d^2),
 /// the added mass of a cylinder inside another.
 double added_mass(const PipeSection& pipe, double hole_diameter, double density) {
@@ -172,10 +192,11 @@ WellCase read_well_case(const std::filesystem::path& path) {
     throw base::InputError(file.name() + ": no [well] (drill modes knows strings without one)");
   WellCase well;
   Words words;
+  double answer_time = usual_answer_time;
   well.drill = read_common_tables(file);
   refuse_of_two_dimensions(file);
   file.fill(describe_well(well, words));
-  file.fill(describe_plan(well.plan));
+  file.fill(describe_plan(well.plan, words, answer_time));
   for (int i = 0; i < file.count("hole"); ++i) file.fill_entry(describe_hole(well.hole.emplace_back()), i);
   for (int i = 0; i < file.count("pipe"); ++i) {
     WellPipe pipe{.pipe = read_pipe(file, i)};
@@ -200,6 +221,7 @@ WellCase read_well_case(const std::filesystem::path& path) {
     file.refuse("trip", "weight_on_bit_kN", "needs a bottom (well.bottom_depth_m)");
   complete(file, well.drill);
   if (!well.drill.drive.imposes_speed) file.refuse("top_drive", "imposes", "must be 'speed' beside [well]");
+  take_feed(file, words, answer_time, well);
   well.plan.rotation = well.drill.drive.rotation;
   well.plan.rotation_ramp = well.drill.drive.ramp;
   if (well.drill.bit_rock.advance_law == AdvanceLaw::imposed)
@@ -258,7 +280,8 @@ WellString assemble(const WellCase& well) {
         control_of(drill, 1.0 / natural_frequencies(chains_of(string, well.plan.run_in).torsional).front());
   // pipe of the trip, of going to bottom, and of drilling
   const double depth = well.bottom_depth > 0.0 ? std::max(0.0, well.bottom_depth - total) : well.plan.run_in;
-  string.longest_grown = depth + well.plan.run_in + 5.0 + 2.0 * well.plan.drilling_speed * drill.run.duration;
+  const double fastest = well.plan.holds_weight ? well.plan.autodriller.fastest : 2.0 * well.plan.drilling_speed;
+  string.longest_grown = depth + well.plan.run_in + 5.0 + fastest * drill.run.duration;
   string.guided = true;
   string.gauge_radius = 0.5 * well.bit_gauge;
   string.on_rock = well.bottom_depth > 0.0;
@@ -282,8 +305,9 @@ std::vector<base::KeyRow> well_keys() {
   HoleSection hole;
   WellPipe pipe;
   StressPoint point;
-  std::vector<base::Section> sections{describe_well(well, words), describe_plan(well.plan), describe_hole(hole),
-                                      describe_pipe(pipe), describe_point(point)};
+  double answer_time = usual_answer_time;
+  std::vector<base::Section> sections{describe_well(well, words), describe_plan(well.plan, words, answer_time),
+                                      describe_hole(hole), describe_pipe(pipe), describe_point(point)};
   for (const std::size_t array : {2, 3, 4}) sections[array].name = "[" + sections[array].name + "]";
   return base::key_rows(sections);
 }

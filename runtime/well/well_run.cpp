@@ -58,7 +58,7 @@ WellStringState brought_to_rest(const WellCase& well, const WellString& string) 
 WellStatics statics(const WellCase& well, const WellString& string) {
   require_stable(well, string);
   WellString smooth = string;
-  for (HolePiece& piece : smooth.hole) piece.friction = 0.0;
+  for (HolePiece& piece : smooth.hole) piece.friction = piece.more_at_rest = 0.0;
   WellStringState state = brought_to_rest(well, smooth);
   advance(smooth, state, {}, no_excitation(), well.drill.run.step);
   require_sound(smooth, state);

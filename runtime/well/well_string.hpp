@@ -54,6 +54,7 @@ struct WellString {
   WallSpring wall;                      ///< of the hole
   UpperEnd upper_end = UpperEnd::free;  ///< what holds it
   Growth growth = Growth::split;        ///< at the table
+  bool hoist_pushes = false;            ///< a hoist that holds both ways; otherwise a line, which goes slack
   DriveControl control;                 ///< of a drive at the table that gives way; without inertia: a stiff one
   double longest_grown = 0.0;           ///< [m] most pipe that is added
   bool guided = false;                  ///< the lower end is held on the centre line of the hole
