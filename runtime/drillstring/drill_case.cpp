@@ -296,7 +296,7 @@ void check_control(const base::ConfigFile& file, const DrillCase& drill) {
       file.refuse("top_drive", key,
                   of_matched ? "needs control = 'matched'" : "needs control = 'soft_torque' or 'matched'");
   }
-  if (is_matched && file.has("top_drive", "inertia_kg_m2"))
+  if (is_matched && drill.drive_inertia > 0.0)
     file.refuse("top_drive", "inertia_kg_m2", "has no meaning with control = 'matched', which gives reaction_time_ms");
   if (!stiff && drill.pipes.empty() && control.damping == 0.0)
     file.refuse("top_drive", "control",
@@ -402,12 +402,14 @@ void put_bit_inside(std::vector<base::Section>& sections, Bit& bit, BitWords& wo
   sections.insert(sections.end(), of_bit.begin() + 1, of_bit.end());
 }
 
-void leave_out_control(std::vector<base::Section>& sections) {
-  for (base::Section& section : sections) {
-    std::erase_if(section.fields, [](const base::Field& field) {
-      return std::find(control_keys.begin(), control_keys.end(), field.name) != control_keys.end();
-    });
-  }
+/// Keys that have no meaning for this answer of the drive.
+void leave_out_control(std::vector<base::Section>& sections, DriveAnswer answer) {
+  const auto without_meaning = [answer](const base::Field& field) {
+    const auto key = std::find(control_keys.begin(), control_keys.end(), field.name);
+    if (key == control_keys.end() || answer == DriveAnswer::matched) return false;
+    return answer == DriveAnswer::stiff || key == control_keys.end() - 1;
+  };
+  for (base::Section& section : sections) std::erase_if(section.fields, without_meaning);
 }
 
 }  // namespace
@@ -416,7 +418,7 @@ std::string resolved_toml(const DrillCase& drill) {
   DrillCase copy = drill;
   Words words = words_of(drill);
   std::vector<base::Section> sections = describe(copy, words);
-  if (copy.control.answer == DriveAnswer::stiff) leave_out_control(sections);
+  leave_out_control(sections, copy.control.answer);
   if (copy.pipes.empty()) {
     if (copy.axial.size() > 0) sections.push_back(describe_axial(copy.axial));
     sections.push_back(describe_torsion(copy.torsional));

@@ -26,7 +26,7 @@ RigControls controls(const RigPlan& plan, RigState& rig, const WellStringState& 
   const BitState& bit = state.bit;
   const double newer = std::min(1.0, h / smoothing);
   rig.felt += newer * (bit.weight_on_bit + bit.source_force - rig.felt);
-  rig.hook += newer * (state.top.hook_load - rig.hook);
+  rig.hook += std::min(1.0, h / std::min(smoothing, std::max(state.time, h))) * (state.top.hook_load - rig.hook);
   const double since = state.time - rig.began, middle = since + 0.5 * h;
   const auto next = [&](RigPhase phase) {
     rig.phase = phase;
@@ -43,6 +43,7 @@ RigControls controls(const RigPlan& plan, RigState& rig, const WellStringState& 
     case RigPhase::starting_to_turn:
       if (since >= plan.rotation_ramp && plan.weight_on_bit > 0.0) {
         rig.off_bottom = rig.hook;
+        rig.fed = state.top.fed;
         return next(RigPhase::slacking_off);
       }
       return {.drive_speed = plan.rotation * risen(middle, plan.rotation_ramp)};
@@ -62,7 +63,8 @@ RigControls controls(const RigPlan& plan, RigState& rig, const WellStringState& 
   }
   if (!plan.holds_weight) return {.feed_speed = drilling_speed(plan, bit), .drive_speed = plan.rotation};
   // what the hook has lost since the string turned off bottom is on the bit, as far as a rig can know
-  const double missing = plan.weight_on_bit - (rig.off_bottom - rig.hook);
+  const double heavier = plan.pipe_weight * (state.top.fed - rig.fed);
+  const double missing = plan.weight_on_bit - (rig.off_bottom + heavier - rig.hook);
   return {.feed_speed = feed_of(plan.autodriller, missing, h, rig.drift), .drive_speed = plan.rotation};
 }
 

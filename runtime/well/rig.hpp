@@ -18,6 +18,7 @@ struct RigPlan {
   double drilling_speed = 0.0;    ///< [m/s] of the feed afterwards; 0: as fast as the rock's face goes
   bool holds_weight = false;      ///< the autodriller feeds instead, so that the weight on bit stays
   Autodriller autodriller;        ///< of that
+  double pipe_weight = 0.0;       ///< [N/m] of new pipe in the mud, which the hook bears besides
 };
 
 /// What it is at.
@@ -35,6 +36,7 @@ struct RigState {
   double felt = 0.0;                      ///< [N] push of the rock, smoothed over a second
   double hook = 0.0;                      ///< [N] hook load, smoothed alike
   double off_bottom = 0.0;                ///< [N] the same when the string turned off bottom, before it was slacked off
+  double fed = 0.0;                       ///< [m] pipe that had come through the table by then
   double drift = 0.0;                     ///< [m/s] integral of the autodriller
 };
 

@@ -147,6 +147,8 @@ void take_feed(const base::ConfigFile& file, const Words& words, double answer_t
     file.refuse("trip", "feed", "needs the weight that the autodriller holds (weight_on_bit_kN)");
   double compliance = well.plan.run_in / beam_of(well.pipes.front().pipe).axial;
   for (const WellPipe& part : well.pipes) compliance += part.pipe.length / beam_of(part.pipe).axial;
+  const PipeSection& top = well.pipes.front().pipe;
+  well.plan.pipe_weight = gravity * mass_per_length(top) * (1.0 - well.drill.fluid_density / top.density);
   well.plan.autodriller = autodriller_for(1.0 / compliance, answer_time, well.plan.slack_off_speed);
 }
 
