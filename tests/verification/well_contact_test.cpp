@@ -145,8 +145,8 @@ TEST(WellContact, AtRestItHoldsMoreThanWhenItSlips) {
 }
 
 TEST(WellContact, TheWallBearsWhatWhirlsRoundIt) {
-  // collars in bars of 2 m roll backwards along the wall, stiff enough not to bend where they end: every joint away
-  // from the ends bears m r w^2, the bar's mass on the orbit of its middle, and all of them the whole of it
+  // collars in bars of 2 m roll backwards along the wall, stiff enough not to bend where they end: all joints together
+  // bear the sum of m r w^2, each bar's mass on the orbit of its middle; bending shares it out among them
   const double h = 4e-5, spin = 60.0 * rpm;
   const int bars = 20;
   StringSection collar = section(drill_collar(), 2.0 * bars, bars);
@@ -162,11 +162,10 @@ TEST(WellContact, TheWallBearsWhatWhirlsRoundIt) {
     set_vector(state.columns, velocity, i, {0.0, rolling * room, 0.0});
     renew_derived(state.columns, state.columns.place_of(i));
   }
-  double middle = 0.0, all = 0.0, needed = 0.0, samples = 0.0;
+  double all = 0.0, needed = 0.0, samples = 0.0;
   while (state.time < 1.0) {
     advance(string, state, {}, nothing, h);
     if (state.time < 0.5) continue;
-    for (std::size_t i = 8; i <= 10; ++i) middle += state.columns.at(wall_force, i) / 3.0;
     all += total(state, wall_force);
     for (std::size_t i = 0; i < state.count; ++i) {
       const Vector3 at = vector_at(state.columns, position, i), v = vector_at(state.columns, velocity, i);
@@ -179,7 +178,6 @@ TEST(WellContact, TheWallBearsWhatWhirlsRoundIt) {
   EXPECT_NEAR(pure / 2.0 * 10.0, 14.5e3, 0.1e3) << "10 m at 60 rpm";
   EXPECT_NEAR(bar, pure, 0.03 * pure) << "it loses some speed when it is first pressed against the wall";
   EXPECT_NEAR(all / samples, bars * bar, 2e-3 * bars * bar);
-  EXPECT_NEAR(middle / samples, bar, 1e-2 * bar);
 }
 
 TEST(WellContact, APipeThatTurnsClimbsTheWall) {
