@@ -10,7 +10,9 @@
 #include "runtime/well/step.hpp"
 #include "runtime/well/well_file.hpp"
 #include "studies/well/survey.hpp"
+#include "views/json/drill_json.hpp"
 #include "views/json/well_json.hpp"
+#include "views/text/drill_plan_lines.hpp"
 
 namespace bitrock::cli {
 
@@ -38,6 +40,14 @@ void show_statics(const Options& options) {
 }
 
 }  // namespace
+
+void show_modes_in_well(const CommonOptions& common, const std::string& file) {
+  const runtime::WellCase well = read_well(common, file);
+  require_outputs(common, {file, well.survey_file, well.drill.bit_file}, {});
+  const studies::WellOutlook outlook = studies::outlook(well, runtime::assemble(well));
+  say(common, "{}", views::modes_lines(well, outlook));
+  write_json(common, views::as_json(outlook));
+}
 
 runtime::WellCase read_well(const CommonOptions& common, const std::string& file) {
   runtime::WellCase well = runtime::read_well_case(file);

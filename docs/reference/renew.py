@@ -74,6 +74,7 @@ RUNS = [
     ("drill statics", "drill statics well.toml"),
     ("drill fatigue", "drill fatigue well.h5"),
     ("drill modes", "drill modes short.toml"),
+    ("drill modes in a well", "drill modes well.toml"),
     ("drill compare", f"drill compare short.toml --model {MODEL} --seeds 1,2 -o compare"),
     ("drill compare in a well", "drill compare well.toml --seeds 1 -o compare_well"),
     ("drill compare --check", f"drill compare short.toml --model {MODEL} --check"),
@@ -111,6 +112,8 @@ def short_case():
 def short_well():
     """The shipped string in a deviated well, the beginning of its trip."""
     text = (SHIPPED / "drill/deviated.toml").read_text(encoding="utf-8").replace("../", f"{SHIPPED}/")
+    text = text.replace('top = "split"', 'top = "split"\nevery_joint = true')
+    text = text.replace("rotation_rpm = 60", 'rotation_rpm = 60\ncontrol = "soft_torque"')
     return text.replace("duration_s = 350", "duration_s = 1").replace("settling_s = 325", "settling_s = 0.2")
 
 

@@ -7,28 +7,33 @@
 #include "runtime/drillstring/bit_rock.hpp"
 #include "runtime/drillstring/chain.hpp"
 #include "runtime/drillstring/excitation.hpp"
+#include "runtime/laws/top_drive_control.hpp"
 
 namespace bitrock::runtime {
 
-/// Rotation imposed on the first spring, or torque on a drive that is itself the first lump of the torsional chain.
+/// Rotation imposed on the first spring, or torque on a drive that is itself the first lump of the torsional chain. So
+/// is a drive that gives way: then its control is the first spring, and the rotation is the set one.
 struct TopDrive {
   bool imposes_speed = true;  ///< otherwise a torque
   double rotation = 0.0;      ///< [rad/s] 0 or more, where it imposes speed
   double torque = 0.0;        ///< [N m] where it does not
   double ramp = 0.0;          ///< [s] both grow from 0 to full with `step5` in this time; 0: at once
   double hook_load = 0.0;     ///< [N] upwards on the first axial lump
+  DriveControl control;       ///< of a drive that gives way; without inertia: a stiff one
 };
 
 /// Angle and speed of an imposing drive at time t: the integral of step5, S(s) = 5/2 s^4 - 3 s^5 + s^6.
 Drive drive_at(const TopDrive& drive, double time);
 /// Torque [N m] of a drive that imposes it.
 double drive_torque_at(const TopDrive& drive, double time);
+/// Whether the drive is the first lump of the torsional chain.
+bool is_lump(const TopDrive& drive);
 
 /// Parts that do not change.
 struct DrillString {
   Chain axial;                      ///< empty: the weight on bit is imposed
   std::vector<double> weights;      ///< [N] of each axial lump, downwards
-  Chain torsional;                  ///< with the drive as first lump when that imposes torque
+  Chain torsional;                  ///< with the drive as first lump when that imposes torque or gives way
   TopDrive drive;                   ///< what turns the upper end
   Friction wall_friction;           ///< of the wall on the string
   std::vector<double> wall_moment;  ///< [N m] normal force times radius at each torsional lump; empty: none
@@ -73,6 +78,14 @@ DrillState beginning(const DrillString& string, const BitRockSource& source, boo
 /// linear chains up to `longest_stable_step`. One call of the source a step. The face moves with the ROP of the
 /// instant: with the 0.1 s mean the loop of face and weight would oscillate. Takes no memory (a source may).
 void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h);
+
+/// What the top drive does at this instant.
+struct TopRotation {
+  double speed = 0.0;   ///< [rad/s] of the drive
+  double torque = 0.0;  ///< [N m] of the drive on the string
+};
+/// For any kind of drive.
+TopRotation top_rotation(const DrillString& string, const DrillState& state);
 
 /// Static weight on bit [N]: weight of the string less hook load and jets; imposed where it is imposed.
 double static_weight_on_bit(const DrillString& string);

@@ -34,6 +34,10 @@ double worst_angle(const PipeSection& pipe, const SectionLoad& load, double pres
   return std::atan2(sign * load.moment.y, -sign * load.moment.z);
 }
 
+double axial_stress(double tension, double section_area, double fluid_density, double depth) {
+  return tension / section_area - fluid_density * gravity * std::max(0.0, depth);
+}
+
 Stress stress_at(const WellString& string, const WellStringState& state, const StressPoint& point,
                  double fluid_density) {
   const Columns& columns = state.columns;

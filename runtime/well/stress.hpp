@@ -24,6 +24,10 @@ struct Stress {
   double measured_depth = 0.0;  ///< [m] of the joint below the point, and so much of the segment; along the hole
 };
 
+/// T_e / A - rho_f g z [Pa]: tension in the steel from the tension in the mud [N], for a section [m^2] in still mud
+/// [kg/m^3] at a depth [m] below the table.
+double axial_stress(double tension, double section_area, double fluid_density, double depth);
+
 /// What one section of the string bears.
 struct SectionLoad {
   double tension = 0.0;  ///< [N] effective, in the mud
@@ -41,7 +45,8 @@ SectionLoad load_at_bit(const WellString& string, const WellStringState& state);
 /// sqrt(sigma^2 + 3 tau^2); T = T_e - p A.
 /// **Symbols** T_e [N] tension in the mud, p [Pa] of still mud; m1 torque, m2, m3 [N m] bending moments about the
 /// second and third axis; psi [rad] `angle`; A, I [m^2, m^4] of the ring.
-/// **Differences and validity** Without the bending peak at a tool joint. `measured_depth` is left 0.
+/// **Differences and validity** Without the bending peak at a tool joint
+/// (studies/well/bending_magnification.hpp). `measured_depth` is left 0.
 Stress stress_of(const PipeSection& pipe, const SectionLoad& load, double angle, double pressure);
 /// The angle [rad] at which bending adds to what tension does: the largest normal stress, whatever its sign.
 double worst_angle(const PipeSection& pipe, const SectionLoad& load, double pressure);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "runtime/drillstring/series_file.hpp"
@@ -21,6 +22,8 @@ StressHistories read_stress_histories(const base::Hdf5Reader& file) {
   histories.settling = file.number_attribute("settling_s");
   std::istringstream names(file.text_attribute("stress_points"));
   for (std::string name; std::getline(names, name);) histories.points.push_back({.name = name});
+  const auto settled = std::upper_bound(histories.time.begin(), histories.time.end(), histories.settling);
+  histories.joints = read_joints(file, static_cast<std::size_t>(histories.time.end() - settled));
   if (histories.points.empty()) return histories;
   const std::vector<double> depths = finite_array(file, "/stress/measured_depth_m", histories.points.size());
   for (std::size_t p = 0; p < histories.points.size(); ++p) {

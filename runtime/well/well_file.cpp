@@ -166,6 +166,7 @@ void write_well_run(const WellRun& run, const WellCase& well, const std::string&
   write_orbits(file, run);
   write_frames(file, run.frames);
   write_profile(file, well);
+  write_joints(run.joints, file);
   file.attribute("status", "complete");
   file.save(path);
 }

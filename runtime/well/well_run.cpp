@@ -50,7 +50,7 @@ WellStringState brought_to_rest(const WellCase& well, const WellString& string) 
 WellStatics statics(const WellCase& well, const WellString& string) {
   require_stable(well, string);
   WellString smooth = string;
-  for (HolePiece& piece : smooth.hole) piece.friction = 0.0;
+  for (HolePiece& piece : smooth.hole) piece.friction = piece.more_at_rest = 0.0;
   WellStringState state = brought_to_rest(well, smooth);
   advance(smooth, state, {}, no_excitation(), well.drill.run.step);
   require_sound(smooth, state);
@@ -116,6 +116,10 @@ void take_sample(const WellCase& well, const WellString& string, const DrillSour
     if (state.time <= schedule.settling) continue;
     way.stress[p].add(stress);
     add_to_orbit(string, state, well.stress_points[p].above_bit, way.run.orbits[p]);
+  }
+  if (well.every_joint && state.time > schedule.settling) {
+    if (way.run.joints.empty()) way.run.joints = joints_of(well, state);
+    record_joints(string, state, well.drill.fluid_density, way.run.joints);
   }
   ++way.samples;
   if (is_kept(way.samples, samples_of(well), well.frames))

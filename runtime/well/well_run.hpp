@@ -3,6 +3,7 @@
 
 #include "base/progress.hpp"
 #include "runtime/drillstring/drill_run.hpp"
+#include "runtime/well/joint_histories.hpp"
 #include "runtime/well/orbit.hpp"
 #include "runtime/well/string_frames.hpp"
 #include "runtime/well/well_case.hpp"
@@ -57,6 +58,7 @@ struct WellRun {
   std::vector<StressAtEnd> stresses;  ///< in the order of the case
   std::vector<Orbit> orbits;          ///< of the joints nearest to these points, after `settling`
   StringFrames frames;                ///< the whole string at the beginning, and so often as the case asks
+  std::vector<JointHistory> joints;   ///< from the bit up, where the case keeps them
   double step = 0.0;                  ///< [s]
   long long steps = 0;                ///< taken
   double wall_time = 0.0;             ///< [s] on the clock

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/csv.hpp"
 #include "tests/end_to_end/program.hpp"
 
 using namespace bitrock;
@@ -129,6 +130,31 @@ TEST(DrillWell, IsReportedExportedAndMadeAgain) {
   refused("drill compare " + (folder / "case.toml").string() + " -o " + folder.path().string(), "must be 'bit'");
 }
 
+TEST(DrillWell, DamageOverDepth) {
+  const scratch::Folder folder("drill_well_damage");
+  std::string text = replaced(short_case(), "top = \"split\"", "top = \"split\"\nevery_joint = true");
+  text = replaced(text, "inner_diameter_mm = 108.61",
+                  "inner_diameter_mm = 108.61\ncontact_diameter_mm = 168.3\ntool_joint_distance_m = 9.6");
+  base::write_whole(folder / "case.toml", text);
+  const std::string file = (folder / "run.h5").string(), table = (folder / "damage.csv").string();
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto outcome = run("drill fatigue " + file + " -o " + table + " --json " + (folder / "f.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("119 joints"), std::string::npos) << outcome.text;
+  const auto joints = json(folder / "f.json")["every_joint"];
+  ASSERT_EQ(joints.size(), 119u);
+  EXPECT_LT(joints[118]["md_m"].get<double>(), joints[0]["md_m"].get<double>()) << "from the bit up";
+  EXPECT_EQ(joints[0]["bending_magnification"].get<double>(), 1.0) << "collars have no tool joints";
+  const base::CsvTable csv = base::read_csv(table);
+  EXPECT_EQ(csv.rows(), 119u);
+  EXPECT_EQ(csv.column("damage_per_hour")[30], joints[30]["damage_per_hour"].get<double>());
+  base::write_whole(folder / "case.toml", short_case());
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto without = run("drill fatigue " + file + " -o " + table);
+  EXPECT_EQ(without.status, 2);
+  EXPECT_NE(without.text.find("give the case well.every_joint = true"), std::string::npos) << without.text;
+}
+
 TEST(DrillWell, StaticsOfTheShippedCase) {
   const scratch::Folder folder("drill_well_statics");
   const auto outcome = run("drill statics " + shipped + " --json " + (folder / "s.json").string());
@@ -137,6 +163,20 @@ TEST(DrillWell, StaticsOfTheShippedCase) {
   // all vertical at first: the hook carries the weight, 1000 m of pipe, 200 m of collars and the bit
   EXPECT_NEAR(result["hook_load_N"].get<double>(), 530.06e3 + 65.0 * 9.81, 10.0);
   EXPECT_EQ(result["joints"].size(), 119u);
+}
+
+TEST(DrillWell, ModesOfTheShippedCase) {
+  const scratch::Folder folder("drill_well_modes");
+  const auto outcome = run("drill modes " + shipped + " --json " + (folder / "m.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("with the 300 m of the trip"), std::string::npos) << outcome.text;
+  const auto result = json(folder / "m.json");
+  // the bit of 65 kg makes them a little lower than those of 1300 m of pipe and 200 m of collars alone
+  EXPECT_NEAR(result["axial_off_bottom_Hz"][0].get<double>(), .57711, 1e-3);
+  EXPECT_NEAR(result["torsional_Hz"][0].get<double>(), .34534, 1e-3);
+  EXPECT_NEAR(result["at_the_beginning"]["torsional_Hz"][0].get<double>(), .40708, 1e-3);
+  EXPECT_EQ(result["torsional_Hz"].size(), 150u);
+  EXPECT_TRUE(result["top_drive"].is_null());
 }
 
 TEST(DrillWell, WrongOnesEndInWords) {
@@ -151,7 +191,7 @@ TEST(DrillWell, WrongOnesEndInWords) {
   refused("run", replaced(short_case(), "diameter_mm = 215.9", "diameter_mm = 160"), "must be less");
   refused("run", replaced(short_case(), "friction = 0.25", "friction = -1"), "friction");
   refused("statics", base::read_whole(BITROCK_SOURCE_DIR "/campaigns/drill/normal.toml"), "[well]");
-  refused("modes", short_case(), "[well]");
+  refused("map", short_case(), "[well]");
 }
 
 }  // namespace
