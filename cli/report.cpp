@@ -77,6 +77,7 @@ void report_wells(const Options& options) {
   const std::vector<std::string>& names = options.inputs;
   require_runs(names, views::most_shown_wells);
   std::vector<runtime::WellFile> files;
+  files.reserve(names.size());
   for (const std::string& name : names) files.push_back(runtime::read_well_run(name));
   const std::vector<views::ShownWell> runs = views::shown_wells(names, std::move(files));
   const std::vector<report::Figure> figures = views::well_figures(runs);
@@ -96,6 +97,7 @@ void report_drill(const Options& options) {
   const std::vector<std::string>& names = options.inputs;
   require_runs(names, views::most_shown_runs);
   std::vector<runtime::DrillFile> files;
+  files.reserve(names.size());
   for (const std::string& name : names) files.push_back(runtime::read_drill_run(name));
   const std::vector<views::ShownRun> runs = views::shown_runs(names, std::move(files));
   const std::vector<report::Figure> figures = views::drill_figures(runs);
