@@ -165,7 +165,9 @@ TEST(FatigueOfJoints, AJointThatTurnsInTheBuildSuffersByItsToolJoints) {
   slick.tool_joint_distance = 0.0;
   run.joints = {joint, slick};
   const scratch::Folder folder("fatigue_joints");
-  runtime::write_well_run(run, "", "", 325.0, folder / "run.h5");
+  runtime::WellCase well;
+  well.drill.run.settling = 325.0;
+  runtime::write_well_run(run, well, "", folder / "run.h5");
   const runtime::StressHistories histories = runtime::read_stress_histories(folder / "run.h5");
   const studies::FatigueWish wish{.curve = *studies::find_sn_curve("B1 air"), .tensile_strength = 689e6};
   const auto damages = studies::damage_of_joints(histories, wish, "run.h5");

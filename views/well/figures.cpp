@@ -267,13 +267,16 @@ report::Figure orbit_figure(const std::vector<ShownWell>& runs) {
 }
 
 report::Figure damage_figure(const std::vector<ShownWell>& runs) {
-  report::Plot plot{.title = "Damage of the stress points",
-                    .x_label = "damage an hour [1/h]",
-                    .y_label = "measured depth [m]",
-                    .caption = "Point by point; where there is none the pipe is not damaged.",
-                    .log_x = true,
-                    .y_downwards = true,
-                    .height_px = log_px};
+  report::Plot plot{
+      .title = "Damage over depth",
+      .x_label = "damage an hour [1/h]",
+      .y_label = "measured depth [m]",
+      .caption =
+          "Markers: the stress points. Line, where the run kept every joint: the worst fibre of each, with "
+          "the bending between tool joints. Where there is neither, the pipe is not damaged.",
+      .log_x = true,
+      .y_downwards = true,
+      .height_px = log_px};
   for (std::size_t run = 0; run < runs.size(); ++run) {
     report::Series points{.name = runs.size() > 1 ? runs[run].label : "", .x = {}, .y = {}};
     points.style = report::Style::markers;
@@ -286,6 +289,13 @@ report::Figure damage_figure(const std::vector<ShownWell>& runs) {
       points.labels.push_back(damage.name);
     }
     plot.series.push_back(std::move(points));
+    report::Series line{.name = runs.size() > 1 ? runs[run].label + ", every joint" : "every joint", .x = {}, .y = {}};
+    line.colour = colour_of_run(run);
+    for (const studies::JointDamage& joint : runs[run].joints) {
+      line.x.push_back(joint.damage_per_hour > 0.0 ? joint.damage_per_hour : std::numeric_limits<double>::quiet_NaN());
+      line.y.push_back(joint.measured_depth);
+    }
+    if (!line.x.empty()) plot.series.push_back(std::move(line));
   }
   return {.name = "well_damage",
           .caption =
@@ -320,7 +330,8 @@ std::vector<ShownWell> shown_wells(const std::vector<std::string>& names, std::v
   segment_s = std::max(segment_s, 0.0);  // a run may end before it settles: no spectra
   std::vector<ShownWell> runs;
   for (std::size_t k = 0; k < files.size(); ++k) {
-    ShownWell run{.label = labels[k], .file = std::move(files[k]), .spectra = {}, .damage = {}, .no_damage = {}};
+    ShownWell run{
+        .label = labels[k], .file = std::move(files[k]), .spectra = {}, .damage = {}, .joints = {}, .no_damage = {}};
     const runtime::StressHistories& stress = run.file.stress;
     for (const runtime::StressHistory& point : stress.points)
       run.spectra.push_back(spectrum_of(point.stress, MPa, first_later_than(stress.time, stress.settling),
@@ -328,6 +339,8 @@ std::vector<ShownWell> shown_wells(const std::vector<std::string>& names, std::v
     if (!stress.points.empty()) {
       try {
         run.damage = studies::damage_of(stress, studies::usual_fatigue_wish(), names[k]);
+        if (!stress.joints.empty())
+          run.joints = studies::damage_of_joints(stress, studies::usual_fatigue_wish(), names[k]);
       } catch (const std::runtime_error& error) {  // too short, or the steel breaks: the page says so and goes on
         run.no_damage = error.what();
       }

@@ -8,7 +8,7 @@
 
 #include "report/gnuplot.hpp"
 #include "runtime/well/well_file.hpp"
-#include "studies/well/fatigue_of_run.hpp"
+#include "studies/well/fatigue_of_joints.hpp"
 #include "views/drill/panels.hpp"
 
 namespace bitrock::views {
@@ -19,6 +19,7 @@ struct ShownWell {
   runtime::WellFile file;                    ///< as read
   std::vector<base::Spectrum> spectra;       ///< of the stress of each point after settling [MPa^2/Hz]
   std::vector<studies::PointDamage> damage;  ///< of each point; empty where it cannot be counted
+  std::vector<studies::JointDamage> joints;  ///< from the bit up, where the run kept them
   std::string no_damage;                     ///< why not
 };
 
