@@ -267,16 +267,13 @@ report::Figure orbit_figure(const std::vector<ShownWell>& runs) {
 }
 
 report::Figure damage_figure(const std::vector<ShownWell>& runs) {
-  report::Plot plot{
-      .title = "Damage over depth",
-      .x_label = "damage an hour [1/h]",
-      .y_label = "measured depth [m]",
-      .caption =
-          "Markers: the stress points. Line, where the run kept every joint: the worst fibre of each, with "
-          "the bending between tool joints. Where there is neither, the pipe is not damaged.",
-      .log_x = true,
-      .y_downwards = true,
-      .height_px = log_px};
+  report::Plot plot{.title = "Damage over depth",
+                    .x_label = "damage an hour [1/h]",
+                    .y_label = "measured depth [m]",
+                    .caption = "Markers: stress points. Line: the worst fibre of every joint, where the run kept them.",
+                    .log_x = true,
+                    .y_downwards = true,
+                    .height_px = log_px};
   for (std::size_t run = 0; run < runs.size(); ++run) {
     report::Series points{.name = runs.size() > 1 ? runs[run].label : "", .x = {}, .y = {}};
     points.style = report::Style::markers;
