@@ -25,6 +25,7 @@ struct Options {
 };
 
 void show_modes(const Options& options) {
+  if (runtime::has_well(options.drill.file)) return show_modes_in_well(options.common, options.drill.file);
   const runtime::DrillCase drill = runtime::read_drill_case(options.drill.file);
   const runtime::DrillString string = runtime::assemble(drill);
   require_outputs(options.common, {options.drill.file, drill.bit_file}, {});

@@ -10,6 +10,7 @@
 #include "cli/drill_parts.hpp"
 #include "cli/figure_files.hpp"
 #include "views/drill/broomstick_figure.hpp"
+#include "views/drill/broomstick_page.hpp"
 #include "views/json/broomstick_json.hpp"
 #include "views/text/broomstick_table.hpp"
 
@@ -23,7 +24,7 @@ constexpr std::size_t most_runs = 3000;  // ten minutes of a core for 1500 m, ho
 struct Options {
   CommonOptions common;
   FigureOptions figures;
-  std::string file, depths, frictions, measured_file, output;
+  std::string file, depths, frictions, measured_file, output, report_file;
   int jobs = 1;
 };
 
@@ -66,6 +67,10 @@ void run(const Options& options) {
     return write_json(options.common, {{"runs", rows.size()}});
   }
   std::vector<std::filesystem::path> outputs{options.output};
+  if (!options.report_file.empty()) {
+    require_plot_library();
+    outputs.emplace_back(options.report_file);
+  }
   if (!options.figures.folder.empty()) {
     const auto pictures =
         report::figure_paths(options.figures.where(), {views::broomstick_figure(broomstick, rows, measured)});
@@ -86,6 +91,10 @@ void run(const Options& options) {
   base::write_whole(options.output, studies::broomstick_csv(rows));
   report_rows(options, broomstick, rows, measured,
               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  if (!options.report_file.empty()) {
+    base::write_whole(options.report_file, views::broomstick_page(broomstick, rows, measured).html());
+    say(options.common, "-> {}\n", options.report_file);
+  }
   if (!options.figures.folder.empty())
     write_figures(options.common, options.figures, {views::broomstick_figure(broomstick, rows, measured)});
 }
@@ -117,6 +126,8 @@ void add_drill_broomstick(CLI::App& drill) {
   add_jobs(*command, options->jobs, "runs");
   command->add_option("-o,--output", options->output, "The table goes to this file, with a row a run (.csv).")
       ->default_val("broomstick.csv")
+      ->check(not_empty());
+  command->add_option("--report", options->report_file, "The curves and the table of all runs go to this page (.html).")
       ->check(not_empty());
   add_figure_options(*command, options->figures);
   add_common(*command, options->common);

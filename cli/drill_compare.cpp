@@ -63,6 +63,8 @@ void warn_of_other_runs(const Options& options, const Comparison& comparison) {
 }
 
 void compare(const Options& options) {
+  if (runtime::has_well(options.drill.file))
+    return compare_in_well(options.common, options.drill, options.seeds, options.jobs, options.folder);
   const Comparison comparison = read_comparison(options);
   const std::vector<std::filesystem::path> inputs = inputs_of(options.drill, comparison.drill);
   if (options.common.check) {
@@ -94,9 +96,12 @@ void compare(const Options& options) {
 
 void add_drill_compare(CLI::App& drill) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = drill.add_subcommand("compare",
-                                           "Runs the case with the force of the networks, with a sine and with white "
-                                           "noise of equal mean and RMS, for several seeds.");
+  CLI::App* command =
+      drill.add_subcommand("compare",
+                           "Runs the case with the force of the networks, with a sine and with white "
+                           "noise of equal mean and RMS, for several seeds. A case with a [well] is run "
+                           "with the networks, with such a sine and without excitation, and the stresses "
+                           "and the damage of its stress points are compared.");
   add_case(*command, options->drill, "normal.toml");
   command->add_option("--seeds", options->seeds, "Each seed draws another force of the same kind, e.g. 1,2,5:10.")
       ->default_val("1:10");

@@ -36,6 +36,12 @@ std::string asked_at_the_mean(const runtime::Bit& bit, const surrogate::Model& m
 /// `drill run` of a case with a well. `seed` below 0: that of the case.
 void run_in_well(const CommonOptions& common, const CaseFlags& flags, int seed, const std::string& output);
 
+/// `drill compare` of a case with a well. `seeds` as the user gave them.
+void compare_in_well(const CommonOptions& common, const CaseFlags& flags, const std::string& seeds, int jobs,
+                     const std::string& folder);
+/// `drill modes` of a case with a well.
+void show_modes_in_well(const CommonOptions& common, const std::string& file);
+
 /// The case with the stations of its survey file; warns of what deserves a look in that.
 runtime::WellCase read_well(const CommonOptions& common, const std::string& file);
 

@@ -10,7 +10,9 @@
 #include "runtime/well/step.hpp"
 #include "runtime/well/well_file.hpp"
 #include "studies/well/survey.hpp"
+#include "views/json/drill_json.hpp"
 #include "views/json/well_json.hpp"
+#include "views/text/drill_plan_lines.hpp"
 
 namespace bitrock::cli {
 
@@ -38,6 +40,14 @@ void show_statics(const Options& options) {
 }
 
 }  // namespace
+
+void show_modes_in_well(const CommonOptions& common, const std::string& file) {
+  const runtime::WellCase well = read_well(common, file);
+  require_outputs(common, {file, well.survey_file, well.drill.bit_file}, {});
+  const studies::WellOutlook outlook = studies::outlook(well, runtime::assemble(well));
+  say(common, "{}", views::modes_lines(well, outlook));
+  write_json(common, views::as_json(outlook));
+}
 
 runtime::WellCase read_well(const CommonOptions& common, const std::string& file) {
   runtime::WellCase well = runtime::read_well_case(file);
@@ -75,7 +85,7 @@ void run_in_well(const CommonOptions& common, const CaseFlags& flags, int seed, 
     result = runtime::run_well(well, string, source, progress.callback());
   }
   const std::string fingerprint = model ? base::fingerprint_text(base::read_whole(well.drill.source.model_file)) : "";
-  runtime::write_well_run(result, base::read_whole(flags.file), fingerprint, well.drill.run.settling, output);
+  runtime::write_well_run(result, well, fingerprint, output);
   const runtime::WellSummary& s = result.summary;
   say(common,
       "{}: {:.1f} m of pipe run in, bit at {:.2f} m, {:.3f} m drilled\nhook load {:.1f} kN, torque {:.0f} N m, weight "

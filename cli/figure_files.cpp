@@ -1,6 +1,8 @@
 #include "cli/figure_files.hpp"
 
+#include "base/errors.hpp"
 #include "report/draw.hpp"
+#include "report/embedded.hpp"
 
 namespace bitrock::cli {
 
@@ -32,6 +34,12 @@ void write_figures(const CommonOptions& common, const FigureOptions& options,
                              "so on will do",
                              report::no_gnuplot, options.folder, figures.front().name));
   }
+}
+
+void require_plot_library() {
+  if (report::plotly_available()) return;
+  throw base::InputError(
+      "this program was built without the plot library, so it cannot write reports (install npm, then build again)");
 }
 
 }  // namespace bitrock::cli

@@ -22,4 +22,7 @@ void add_figure_options(CLI::App& command, FigureOptions& options);
 void write_figures(const CommonOptions& common, const FigureOptions& options,
                    const std::vector<report::Figure>& figures);
 
+/// Throws when this program was built without what pages are drawn with.
+void require_plot_library();
+
 }  // namespace bitrock::cli

@@ -7,8 +7,9 @@
 
 namespace bitrock::report {
 
-std::string_view page_style();   ///< report/page.css
-std::string_view page_script();  ///< report/page.js
+std::string_view page_style();    ///< report/page.css
+std::string_view page_script();   ///< report/page.js
+std::string_view space_script();  ///< report/space_view.js
 
 bool plotly_available();
 /// Both empty when `plotly_available()` is false.

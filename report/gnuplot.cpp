@@ -61,9 +61,12 @@ std::string title_and_key(const Plot& plot, double panel_width) {
 
 std::string panel_script(const Plot& plot, const std::string& panel, bool with_legend, double panel_width) {
   std::string text;
-  text += axis('x', plot.x_label, plot.log_x, range_of(plot, plot.x_range)) +
-          axis('y', plot.y_label, plot.log_y, range_of(plot, plot.y_range));
+  const std::optional<AxisRange> y_range = range_of(plot, plot.y_range);
+  text +=
+      axis('x', plot.x_label, plot.log_x, range_of(plot, plot.x_range)) + axis('y', plot.y_label, plot.log_y, y_range);
   if (plot.y_downwards) text += "set yrange reverse\n";
+  if (plot.y_downwards && y_range)  // gnuplot reverses automatic ranges alone
+    text += fmt::format("set yrange [{}:{}]\n", y_range->high, y_range->low);
   text += air(plot);
   text += plot.square ? "set size square\n" : "set size nosquare\n";
   text += fmt::format("set boxwidth {} absolute\nunset object\nunset label\n", 0.94 * box_width(plot));

@@ -121,6 +121,10 @@ void Page::plots_in_row(const std::vector<Plot>& plots, const std::string& capti
   body_ += "</div>\n" + figure_caption(caption) + "</figure>\n";
 }
 
+void Page::space(const SpaceView& view) {
+  body_ += "<figure>\n" + space_html(view, ++spaces_) + figure_caption(view.caption) + "</figure>\n";
+}
+
 void Page::picture(std::string_view png_bytes, const std::string& caption, const std::string& alt) {
   constexpr std::string_view signature = "\x89PNG\r\n\x1a\n";
   if (png_bytes.size() < 24 || png_bytes.substr(0, signature.size()) != signature) {
@@ -175,10 +179,11 @@ std::string Page::html_with(std::string_view plot_script, std::string_view plot_
       "<meta name=\"generator\" content=\"bitrock\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n"
       "<header><h1>{}</h1>\n{}</header>\n{}<main>\n{}</main>\n"
       "<noscript><p class=\"note\">The plots need JavaScript; text, tables and pictures do not.</p></noscript>\n"
-      "<script>\n/*\n{}*/\n{}\n</script>\n<script>\n{}</script>\n</body>\n</html>\n",
+      "<script>\n/*\n{}*/\n{}\n</script>\n<script>\n{}</script>\n{}</body>\n</html>\n",
       content_policy, html_text(title_), page_style(), html_text(title_),
       subtitle_.empty() ? "" : fmt::format("<p class=\"subtitle\">{}</p>\n", html_text(subtitle_)), contents_html(),
-      body_, plot_licence, plot_script, page_script());
+      body_, plot_licence, plot_script, page_script(),
+      spaces_ == 0 ? "" : fmt::format("<script>\n{}</script>\n", space_script()));
 }
 
 }  // namespace bitrock::report

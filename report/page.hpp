@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "report/plot.hpp"
+#include "report/space_view.hpp"
 
 namespace bitrock::report {
 
@@ -34,6 +35,8 @@ class Page {
   /// Side by side as far as the page is wide, one below the other on a telephone. One legend serves all when all have
   /// the same. Up to three stand in a line; a single figure number and caption belong to the whole row.
   void plots_in_row(const std::vector<Plot>& plots, const std::string& caption = "");
+  /// A line in space, which the reader turns and takes through time.
+  void space(const SpaceView& view);
   /// `alt` says in words what the picture shows, for those who cannot see it. Throws when the bytes are not a PNG.
   void picture(std::string_view png_bytes, const std::string& caption, const std::string& alt);
 
@@ -53,6 +56,7 @@ class Page {
   int plots_ = 0;
   int figures_ = 0;
   int tables_ = 0;
+  int spaces_ = 0;
 };
 
 }  // namespace bitrock::report

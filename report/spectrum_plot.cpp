@@ -14,7 +14,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // Of a plot without data.
 constexpr AxisRange nothing{0.1, 10.0};
 
-AxisRange density_range(std::span<const SpectrumLine> lines) {
+AxisRange density_range(std::span<const SpectrumLine> lines, double decades) {
   double low = infinite, high = 0.0;
   for (const SpectrumLine& line : lines) {
     for (std::size_t j = 1; j < line.spectrum.density.size(); ++j) {
@@ -26,7 +26,7 @@ AxisRange density_range(std::span<const SpectrumLine> lines) {
   if (high == 0.0) return nothing;
   constexpr double air = 0.05;  // decades over the highest value, at least
   const double top = std::ceil(std::log10(high) + air), bottom = std::floor(std::log10(low));
-  return {std::pow(10.0, std::max(bottom, top - drawn_decades)), std::pow(10.0, top)};
+  return {std::pow(10.0, std::max(bottom, top - decades)), std::pow(10.0, top)};
 }
 
 AxisRange frequency_range(std::span<const SpectrumLine> lines) {
@@ -70,14 +70,14 @@ Series density(const SpectrumLine& line) {
 }  // namespace
 
 Plot spectrum_plot(std::string title, std::string density_label, const std::string& marks_name,
-                   std::span<const SpectrumLine> lines) {
+                   std::span<const SpectrumLine> lines, double decades) {
   Plot plot{.title = std::move(title),
             .x_label = "frequency [Hz]",
             .y_label = std::move(density_label),
             .log_x = true,
             .log_y = true,
             .x_range = frequency_range(lines),
-            .y_range = density_range(lines)};
+            .y_range = density_range(lines, decades)};
   const bool common = std::all_of(lines.begin(), lines.end(),
                                   [&](const SpectrumLine& line) { return same_marks(line, lines.front()); });
   for (const SpectrumLine& line : common ? lines.first(std::min<std::size_t>(1, lines.size())) : lines) {

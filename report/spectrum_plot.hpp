@@ -18,13 +18,14 @@ struct SpectrumLine {
   std::vector<double> marks = {};  ///< [Hz] where upright lines are drawn
 };
 
-/// What lies this far below the highest value of all is rounding, and not drawn. [decades]
+/// What lies this far below the highest value of all is usually rounding, and not drawn. [decades]
 inline constexpr double drawn_decades = 9.0;
 
+/// `decades`: drawn below the highest value; a strong line leaves what others are far below it.
 /// Frequencies from the lowest above zero to half the fastest rate, densities in whole decades around the data. Values
 /// of 0 are left out. Marks that all spectra have in common are drawn once, dashed and grey, as `marks_name`; otherwise
 /// each has its own, dashed in its colour. Without data the plot has axes only.
 Plot spectrum_plot(std::string title, std::string density_label, const std::string& marks_name,
-                   std::span<const SpectrumLine> lines);
+                   std::span<const SpectrumLine> lines, double decades = drawn_decades);
 
 }  // namespace bitrock::report

@@ -76,7 +76,9 @@ RUNS = [
     ("drill statics", "drill statics well.toml"),
     ("drill fatigue", "drill fatigue well.h5"),
     ("drill modes", "drill modes short.toml"),
+    ("drill modes in a well", "drill modes well.toml"),
     ("drill compare", f"drill compare short.toml --model {MODEL} --seeds 1,2 -o compare"),
+    ("drill compare in a well", "drill compare well.toml --seeds 1 -o compare_well"),
     ("drill compare --check", f"drill compare short.toml --model {MODEL} --check"),
     ("drill survey", f"drill survey {SHIPPED}/drill/survey_example.csv --bit-depth-m 1700"),
     ("drill broomstick", f"drill broomstick {SHIPPED}/drill/deviated.toml --depths-m 1230 --frictions 0.25 --measured loads.csv"),
@@ -87,6 +89,7 @@ RUNS = [
     ("animate", "animate run.h5 -o frames"),
     ("export config", "export config run.h5 -o config.toml"),
     ("export vtk", "export vtk run.h5 -o vtk"),
+    ("export vtk of a well", "export vtk well.h5 -o vtk_well"),
     ("export c", f"export c {MODEL} -o model.c"),
     ("export matlab", f"export matlab {MODEL} -o model.m"),
     ("export onnx", f"export onnx {MODEL} -o model.onnx"),
@@ -96,6 +99,7 @@ RUNS = [
 TABLES = [("Campaign: features.csv", "study/features.csv"), ("Campaign: features_mean.csv", "study/features_mean.csv"),
           ("Curve of a laboratory test", "lab/ucs_seed_1.csv"), ("Journal of a calibration", "calibrated.toml.journal.csv"),
           ("Force on a bit: signal", "signal.csv"), ("drill compare: summary.csv", "compare/summary.csv"),
+          ("drill compare in a well: summary.csv", "compare_well/summary.csv"),
           ("drill broomstick", "broomstick.csv"), ("drill map", "map.csv")]
 FILES = [("specimen.h5", "specimen.h5"), ("forces.h5", "study/forces.h5"), ("run.h5 (with --frames 2)", "run.h5"), ("drill.h5", "drill.h5"),
          ("well.h5", "well.h5")]
@@ -110,6 +114,8 @@ def short_case():
 def short_well():
     """The shipped string in a deviated well, the beginning of its trip."""
     text = (SHIPPED / "drill/deviated.toml").read_text(encoding="utf-8").replace("../", f"{SHIPPED}/")
+    text = text.replace('top = "split"', 'top = "split"\nevery_joint = true')
+    text = text.replace("rotation_rpm = 60", 'rotation_rpm = 60\ncontrol = "soft_torque"')
     return text.replace("duration_s = 350", "duration_s = 1").replace("settling_s = 325", "settling_s = 0.2")
 
 

@@ -13,6 +13,7 @@ namespace bitrock::runtime {
 namespace {
 
 constexpr double ms = 1e-3;
+constexpr double usual_drive_inertia = 2900.0;  // [kg m^2] of a top drive with its motors [Simulator4nDOF]
 
 /// Lists as a file gives them, with the missing first spring and wall dampings.
 Chain completed(Chain chain) {
@@ -31,11 +32,12 @@ double mean_radius(const Bit& bit) {
   return sum / static_cast<double>(bit.cutters.size());
 }
 
-void put_drive_on_top(Chain& chain, double inertia, double damping) {
-  chain.inertia.insert(chain.inertia.begin(), inertia);
-  chain.stiffness.insert(chain.stiffness.begin(), 0.0);
-  chain.damping.insert(chain.damping.begin(), 0.0);
-  chain.wall_damping.insert(chain.wall_damping.begin(), damping);
+/// `control`: its inertia, and the spring and damper to what drives it. `ground` [N m s/rad].
+void put_drive_on_top(Chain& chain, const DriveControl& control, double ground) {
+  chain.inertia.insert(chain.inertia.begin(), control.inertia);
+  chain.stiffness.insert(chain.stiffness.begin(), control.stiffness);
+  chain.damping.insert(chain.damping.begin(), control.damping);
+  chain.wall_damping.insert(chain.wall_damping.begin(), ground);
 }
 
 /// Steepest positive slope of the friction at the bit [N m s/rad]: it acts like a damper on the step.
@@ -78,6 +80,19 @@ double bit_inertia_of(const DrillCase& drill) {
   return as_cylinder ? bit_inertia(drill.bit_mass, 0.5 * drill.bit.diameter) : drill.bit_inertia;
 }
 
+DriveControl control_of(const DrillCase& drill, double natural_period) {
+  const DriveControlCase& wish = drill.control;
+  if (wish.answer == DriveAnswer::stiff) return {};
+  const double period = wish.period > 0.0 ? wish.period : natural_period;
+  const double own = drill.pipes.empty() ? 0.0 : torsional_impedance(drill.pipes.front());
+  if (wish.answer == DriveAnswer::matched)
+    return matched(wish.damping > 0.0 ? wish.damping : own, period, wish.reaction_time);
+  DriveControl control =
+      soft_torque(drill.drive_inertia > 0.0 ? drill.drive_inertia : usual_drive_inertia, own, period);
+  if (wish.damping > 0.0) control.damping = wish.damping;
+  return control;
+}
+
 DrillString assemble(const DrillCase& drill) {
   DrillString string;
   if (drill.pipes.empty()) {
@@ -103,8 +118,12 @@ DrillString assemble(const DrillCase& drill) {
   if (drill.wall_friction.law != FrictionLaw::none) {
     for (const double force : drill.wall_force) string.wall_moment.push_back(force * drill.wall_radius);
   }
-  if (!drill.drive.imposes_speed) {
-    put_drive_on_top(string.torsional, drill.drive_inertia, drill.drive_damping);
+  if (drill.control.answer != DriveAnswer::stiff)
+    string.drive.control = control_of(drill, 1.0 / natural_frequencies(string.torsional).front());
+  if (is_lump(string.drive)) {
+    put_drive_on_top(string.torsional,
+                     drill.drive.imposes_speed ? string.drive.control : DriveControl{.inertia = drill.drive_inertia},
+                     drill.drive.imposes_speed ? 0.0 : drill.drive_damping);
     if (!string.wall_moment.empty()) string.wall_moment.insert(string.wall_moment.begin(), 0.0);
   }
   require_sensible(drill.name, "axial", string.axial);

@@ -60,6 +60,10 @@ double mass_per_length(const PipeSection& pipe) {
   return pipe.linear_mass > 0.0 ? pipe.linear_mass : pipe.density * area(pipe);
 }
 
+double torsional_impedance(const PipeSection& pipe) {
+  return std::sqrt(pipe.density * pipe.shear_modulus) * polar_moment(pipe);
+}
+
 Chain axial_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping, double damping_ratio) {
   return chain_of(pipes, lumps, lumping, damping_ratio, true, mass_per_length,
                   [](const PipeSection& pipe) { return 1.0 / (pipe.youngs_modulus * area(pipe)); });

@@ -41,6 +41,8 @@ double area(const PipeSection& pipe);
 double polar_moment(const PipeSection& pipe);
 /// [kg/m]
 double mass_per_length(const PipeSection& pipe);
+/// Of a torsional wave [N m s/rad]: torque over rotation, sqrt(rho G) j.
+double torsional_impedance(const PipeSection& pipe);
 
 /// **What** The string cut into `lumps` stretches of equal length, each a lump.
 /// **Equation** axial: m_i = integral of rho A, K = 1 / integral of dz / (E A) between two lumps; torsional: J_i =

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "base/errors.hpp"
@@ -33,10 +34,13 @@ const base::Range bit_mass = between(0.0, 1e5), bit_inertia = between(0.0, 1e5);
 const base::Range torque = between(0.0, 1e7);                                     // N m; ten times the top drive's
 const base::Range duration = between(1e-3, 1e6), pause = between(0.0, 1e6);       // s; 1e6 s are eleven days
 
+/// Of how the drive answers to the string. A stiff drive does not say them: texts of older cases stay valid.
+constexpr std::array control_keys{"control", "control_damping_N_m_s_per_rad", "control_period_s", "reaction_time_ms"};
+
 /// Words of the file on their way to enumerations.
 struct Words {
   std::string lumping = "middle", imposes = "speed", jets = "up", friction = "smooth", wall = "none", advance = "root";
-  std::string unloading = "free", axial_source = "full", source = "none", start = "turning";
+  std::string unloading = "free", axial_source = "full", source = "none", start = "turning", control = "stiff";
 };
 
 template <class Enum, std::size_t n>
@@ -44,6 +48,8 @@ using Meanings = std::array<std::pair<const char*, Enum>, n>;
 
 constexpr Meanings<Lumping, 2> lumpings{{{"middle", Lumping::middle}, {"end", Lumping::end}}};
 constexpr Meanings<bool, 2> imposed{{{"speed", true}, {"torque", false}}};
+constexpr Meanings<DriveAnswer, 3> drive_answers{
+    {{"stiff", DriveAnswer::stiff}, {"soft_torque", DriveAnswer::soft_torque}, {"matched", DriveAnswer::matched}}};
 constexpr Meanings<bool, 2> directions{{{"up", true}, {"down", false}}};
 constexpr Meanings<FrictionLaw, 3> friction_laws{
     {{"none", FrictionLaw::none}, {"smooth", FrictionLaw::smooth}, {"stribeck", FrictionLaw::stribeck}}};
@@ -133,8 +139,16 @@ std::vector<base::Section> describe_operation(DrillCase& drill, Words& words) {
         {"torque_kN_m", &drill.drive.torque, kN, drive_torque, "imposed torque"},
         {"ramp_s", &drill.drive.ramp, 1.0, pause, "time to full speed or torque; 0: at once"},
         {"hook_load_kN", &drill.drive.hook_load, kN, force, "upward force on the top of the string"},
-        {"inertia_kg_m2", &drill.drive_inertia, 1.0, between(0.0, 1e6), "of a drive that imposes torque"},
-        {"damping_N_m_s_per_rad", &drill.drive_damping, 1.0, torsional_damper, "of that drive"}}},
+        {"inertia_kg_m2", &drill.drive_inertia, 1.0, between(0.0, 1e6),
+         "of a drive that imposes torque, or has soft torque (0: 2900)"},
+        {"damping_N_m_s_per_rad", &drill.drive_damping, 1.0, torsional_damper, "of a drive that imposes torque"},
+        {control_keys[0], &words.control, 1.0, any(),
+         "how the drive answers to the string: 'stiff', 'soft_torque' or 'matched'"},
+        {control_keys[1], &drill.control.damping, 1.0, torsional_damper,
+         "gain of that control; 0: by the impedance of the string"},
+        {control_keys[2], &drill.control.period, 1.0, zero_or(1e-3, 1e3),
+         "of the vibration it is tuned to; 0: the slowest of the string"},
+        {control_keys[3], &drill.control.reaction_time, ms, between(0.1, 1e3), "matched: how late the drive follows"}}},
       {"bit",
        {{"file", &drill.bit_file, 1.0, any(), "bit file, relative to this file; or the keys of a bit here"},
         {"mass_kg", &drill.bit_mass, 1.0, bit_mass, "added to the lowest axial lump"},
@@ -223,6 +237,7 @@ std::vector<base::Section> describe(DrillCase& drill, Words& words) {
 
 void take_words(const base::ConfigFile& file, const Words& words, DrillCase& drill) {
   drill.drive.imposes_speed = meaning_of(file, "top_drive", "imposes", words.imposes, imposed);
+  drill.control.answer = meaning_of(file, "top_drive", "control", words.control, drive_answers);
   drill.jets_push_up = meaning_of(file, "fluid", "jet_force", words.jets, directions);
   drill.bit_rock.friction.law = meaning_of(file, "friction", "law", words.friction, friction_laws);
   drill.wall_friction.law = meaning_of(file, "wall", "law", words.wall, friction_laws);
@@ -243,7 +258,8 @@ Words words_of(const DrillCase& drill) {
           .unloading = word_of(drill.bit_rock.unloading, unloadings),
           .axial_source = word_of(drill.bit_rock.axial_source, axial_sources),
           .source = word_of(drill.source.kind, sources),
-          .start = word_of(drill.run.turning, starts)};
+          .start = word_of(drill.run.turning, starts),
+          .control = word_of(drill.control.answer, drive_answers)};
 }
 
 void read_pipes(base::ConfigFile& file, DrillCase& drill) {
@@ -270,9 +286,28 @@ void read_chains(base::ConfigFile& file, DrillCase& drill) {
   check("axial", "damping_N_s_per_m", drill.axial.damping, masses - 1);
 }
 
+void check_control(const base::ConfigFile& file, const DrillCase& drill) {
+  const DriveControlCase& control = drill.control;
+  const bool stiff = control.answer == DriveAnswer::stiff, is_matched = control.answer == DriveAnswer::matched;
+  if (!stiff && !drill.drive.imposes_speed)
+    file.refuse("top_drive", "control", "must be 'stiff' for a drive that imposes torque");
+  for (const char* key : {control_keys[1], control_keys[2], control_keys[3]}) {
+    const bool of_matched = key == control_keys[3];
+    if ((of_matched ? !is_matched : stiff) && file.has("top_drive", key))
+      file.refuse("top_drive", key,
+                  of_matched ? "needs control = 'matched'" : "needs control = 'soft_torque' or 'matched'");
+  }
+  if (is_matched && drill.drive_inertia > 0.0)
+    file.refuse("top_drive", "inertia_kg_m2", "has no meaning with control = 'matched', which gives reaction_time_ms");
+  if (!stiff && drill.pipes.empty() && control.damping == 0.0)
+    file.refuse("top_drive", "control",
+                "needs control_damping_N_m_s_per_rad where [torsion] and not [[pipe]] gives the string");
+}
+
 void check_together(const base::ConfigFile& file, const DrillCase& drill) {
   const bool axial = !drill.pipes.empty() || drill.axial.size() > 0;
   const BitRock& rock = drill.bit_rock;
+  check_control(file, drill);
   if (axial && rock.imposed_weight > 0.0)
     file.refuse("drilling", "imposed_weight_kN",
                 "needs a string without axial chain; here hook load and weight give it");
@@ -328,7 +363,7 @@ namespace {
 DrillCase read_keys(base::ConfigFile& file) {
   if (file.has_table("well"))
     throw base::InputError(file.name() +
-                           ": a case with [well] (taken by drill run, statics and broomstick, and by export fmu)");
+                           ": a case with [well] (drill run, modes, statics and broomstick take one, and export fmu)");
   DrillCase drill = read_common_tables(file);
   if (file.count("pipe") > 0) {
     read_pipes(file, drill);
@@ -369,22 +404,31 @@ void put_bit_inside(std::vector<base::Section>& sections, Bit& bit, BitWords& wo
   sections.insert(sections.end(), of_bit.begin() + 1, of_bit.end());
 }
 
+/// Keys that have no meaning for this answer of the drive.
+void leave_out_control(std::vector<base::Section>& sections, DriveAnswer answer) {
+  const auto without_meaning = [answer](const base::Field& field) {
+    const auto key = std::find(control_keys.begin(), control_keys.end(), field.name);
+    if (key == control_keys.end() || answer == DriveAnswer::matched) return false;
+    return answer == DriveAnswer::stiff || key == control_keys.end() - 1;
+  };
+  for (base::Section& section : sections) std::erase_if(section.fields, without_meaning);
+}
+
 }  // namespace
 
-std::string resolved_toml(const DrillCase& drill) {
+std::string resolved_common_toml(const DrillCase& drill, std::vector<base::Section> more,
+                                 const std::vector<std::string>& left_out) {
   DrillCase copy = drill;
   Words words = words_of(drill);
   std::vector<base::Section> sections = describe(copy, words);
-  if (copy.pipes.empty()) {
-    if (copy.axial.size() > 0) sections.push_back(describe_axial(copy.axial));
-    sections.push_back(describe_torsion(copy.torsional));
-  } else {
-    sections.push_back(describe_string(copy, words));
-    for (PipeSection& pipe : copy.pipes) {
-      sections.push_back(describe(pipe));
-      sections.back().name = "[pipe]";  // an array of tables
-    }
-  }
+  leave_out_control(sections, copy.control.answer);
+  const auto is_out = [&](const std::string& name) {
+    return std::find(left_out.begin(), left_out.end(), name) != left_out.end();
+  };
+  std::erase_if(sections, [&](const base::Section& section) { return is_out(section.name); });
+  for (base::Section& section : sections)
+    std::erase_if(section.fields, [&](const base::Field& field) { return is_out(section.name + "." + field.name); });
+  std::move(more.begin(), more.end(), std::back_inserter(sections));
   BitWords words_of_bit = words_of(copy.bit);
   if (!copy.bit.cutters.empty()) put_bit_inside(sections, copy.bit, words_of_bit);
   for (base::Section& section : sections) {  // a list that is empty was not given
@@ -394,6 +438,23 @@ std::string resolved_toml(const DrillCase& drill) {
     });
   }
   return base::to_exact_toml(sections);
+}
+
+std::string resolved_toml(const DrillCase& drill) {
+  DrillCase copy = drill;
+  Words words = words_of(drill);
+  std::vector<base::Section> string;
+  if (copy.pipes.empty()) {
+    if (copy.axial.size() > 0) string.push_back(describe_axial(copy.axial));
+    string.push_back(describe_torsion(copy.torsional));
+  } else {
+    string.push_back(describe_string(copy, words));
+    for (PipeSection& pipe : copy.pipes) {
+      string.push_back(describe(pipe));
+      string.back().name = "[pipe]";  // an array of tables
+    }
+  }
+  return resolved_common_toml(drill, std::move(string));
 }
 
 std::vector<base::KeyRow> drill_keys() {

@@ -25,6 +25,21 @@ struct DrillSchedule {
   double off_bottom = 0.0;  ///< [m] lift of the bit at the beginning
 };
 
+/// How the top drive answers to the torque of the string.
+enum class DriveAnswer {
+  stiff,        ///< not at all: its speed is imposed
+  soft_torque,  ///< as a spring and a damper that cancel its inertia at the period of stick-slip
+  matched       ///< with the impedance of the string: no wave comes back
+};
+
+/// What the case says of that; 0: by the rules of `soft_torque` and `matched`.
+struct DriveControlCase {
+  DriveAnswer answer = DriveAnswer::stiff;  ///< how it answers
+  double damping = 0.0;                     ///< [N m s/rad] proportional gain
+  double period = 0.0;                      ///< [s] it is tuned to; 0: slowest of the string
+  double reaction_time = 5e-3;              ///< [s] of a matched drive; a fast motor control has some milliseconds
+};
+
 /// A case as its file has it.
 struct DrillCase {
   std::string name;                                                 ///< for people
@@ -33,9 +48,10 @@ struct DrillCase {
   int axial_lumps = 2, torsional_lumps = 2;                         ///< masses of the string
   Lumping lumping = Lumping::middle;                                ///< where the masses lie
   double axial_damping_ratio = 0.0, torsional_damping_ratio = 0.0;  ///< [1] of a pair
-  Chain axial, torsional;  ///< as given; empty where there are pipes, and `axial` where the weight on bit is imposed
-  TopDrive drive;          ///< what turns the string
-  double drive_inertia = 0.0;      ///< [kg m^2] of a drive that imposes torque
+  Chain axial, torsional;    ///< as given; empty where there are pipes, and `axial` where the weight on bit is imposed
+  TopDrive drive;            ///< what turns the string
+  DriveControlCase control;  ///< how it answers to the string
+  double drive_inertia = 0.0;      ///< [kg m^2] of a drive that imposes torque, or of one with soft torque
   double drive_damping = 0.0;      ///< [N m s/rad] of that drive against the ground
   std::string bit_file;            ///< empty: no bit, or its keys stand in the case itself
   Bit bit;                         ///< without cutters: none
@@ -71,6 +87,12 @@ DrillCase recorded_drill_case(std::string_view text, const std::string& name);
 /// The case with every value and the bit inside, as a file that is read back to the same bits. It names the networks.
 std::string resolved_toml(const DrillCase& drill);
 
+/// For the writer of a case with another string: the tables of `read_common_tables`, and `more`, as one text that is
+/// read back to the same bits, the bit inside. `left_out`: tables ("wall") and keys ("run.start") that have no meaning
+/// there.
+std::string resolved_common_toml(const DrillCase& drill, std::vector<base::Section> more,
+                                 const std::vector<std::string>& left_out = {});
+
 /// What people are told of the keys of a drill case.
 std::vector<base::KeyRow> drill_keys();
 
@@ -78,6 +100,9 @@ std::vector<base::KeyRow> drill_keys();
 BitRock bit_rock_of(const DrillCase& drill);
 /// Of the bit about its axis [kg m^2].
 double bit_inertia_of(const DrillCase& drill);
+/// The control of the top drive, for a string with this slowest torsional period [s] below a drive at rest; without
+/// inertia where the drive is stiff.
+DriveControl control_of(const DrillCase& drill, double natural_period);
 
 /// Throws `InputError` when the parts do not make a drill string.
 DrillString assemble(const DrillCase& drill);

@@ -49,15 +49,16 @@ void observe(const DrillState& state, Observed& seen) {
 /// `face` [m]: of the rock at the beginning, from where the string counts its own places. Both differ by the lift of a
 /// bit that begins off bottom.
 void record(const DrillString& string, const DrillState& state, double face, DrillSeries& series) {
+  const TopRotation top = top_rotation(string, state);
   series.time_s.push_back(state.time);
   series.bit_rotation_rad_per_s.push_back(state.torsional.velocity.back());
-  series.table_rotation_rad_per_s.push_back(table_rotation(string, state));
+  series.table_rotation_rad_per_s.push_back(top.speed);
   series.weight_on_bit_N.push_back(state.weight_on_bit);
   series.source_force_N.push_back(state.source_force);
   series.rop_m_per_s.push_back(state.rate_of_penetration);
   series.torque_on_bit_N_m.push_back(torque_on_bit(state));
   series.fracture_torque_N_m.push_back(state.fracture_torque);
-  series.drive_torque_N_m.push_back(table_torque(string, state));
+  series.drive_torque_N_m.push_back(top.torque);
   series.bit_depth_m.push_back(bit_position(string, state) - face);
   series.face_depth_m.push_back(state.face - face);
   series.progression_angle_rad.push_back(state.progression);

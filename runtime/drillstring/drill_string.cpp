@@ -169,6 +169,19 @@ void place_on_bottom(const DrillString& string, double weight, std::vector<doubl
 
 }  // namespace
 
+bool is_lump(const TopDrive& drive) {
+  return !drive.imposes_speed || drive.control.inertia > 0.0;
+}
+
+TopRotation top_rotation(const DrillString& string, const DrillState& state) {
+  const Drive set = drive_at(string.drive, state.time);
+  if (!string.drive.imposes_speed) return {state.torsional.velocity.front(), drive_torque_at(string.drive, state.time)};
+  if (!is_lump(string.drive)) return {set.velocity, drive_reaction(string.torsional, state.torsional, set)};
+  const auto& [position, velocity, acceleration] = state.torsional;
+  return {velocity[0], string.torsional.stiffness[1] * (position[0] - position[1]) +
+                           string.torsional.damping[1] * (velocity[0] - velocity[1])};
+}
+
 Drive drive_at(const TopDrive& drive, double time) {
   if (!drive.imposes_speed) return {};
   const double t = time - drive.since, more = drive.rotation - drive.rotation_then;
@@ -196,16 +209,6 @@ TopDrive redirected(const TopDrive& drive, double time, double rotation, double 
   next.rotation_then = now.velocity;
   next.torque_then = drive_torque_at(drive, time);
   return next;
-}
-
-double table_rotation(const DrillString& string, const DrillState& state) {
-  return string.drive.imposes_speed ? drive_at(string.drive, state.time).velocity : state.torsional.velocity.front();
-}
-
-double table_torque(const DrillString& string, const DrillState& state) {
-  return string.drive.imposes_speed
-             ? drive_reaction(string.torsional, state.torsional, drive_at(string.drive, state.time))
-             : drive_torque_at(string.drive, state.time);
 }
 
 double bit_position(const DrillString& string, const DrillState& state) {

@@ -7,10 +7,12 @@
 #include "runtime/drillstring/bit_rock.hpp"
 #include "runtime/drillstring/chain.hpp"
 #include "runtime/drillstring/excitation.hpp"
+#include "runtime/laws/top_drive_control.hpp"
 
 namespace bitrock::runtime {
 
-/// Rotation imposed on the first spring, or torque on a drive that is itself the first lump of the torsional chain.
+/// Rotation imposed on the first spring, or torque on a drive that is itself the first lump of the torsional chain. So
+/// is a drive that gives way: then its control is the first spring, and the rotation is the set one.
 struct TopDrive {
   bool imposes_speed = true;                     ///< otherwise a torque
   double rotation = 0.0;                         ///< [rad/s] 0 or more, where it imposes speed
@@ -20,6 +22,7 @@ struct TopDrive {
   double since = 0.0;                            ///< [s] time at which it began to go to this rotation or torque
   double angle_then = 0.0, rotation_then = 0.0;  ///< [rad], [rad/s] at that time
   double torque_then = 0.0;                      ///< [N m] at that time
+  DriveControl control;                          ///< of a drive that gives way; without inertia: a stiff one
 };
 
 /// **What** Angle and speed of an imposing drive at time t.
@@ -32,12 +35,14 @@ double drive_torque_at(const TopDrive& drive, double time);
 /// The drive, which at `time` [s] begins to go from where it is to another rotation [rad/s] or torque [N m], in its
 /// ramp.
 TopDrive redirected(const TopDrive& drive, double time, double rotation, double torque);
+/// Whether the drive is the first lump of the torsional chain.
+bool is_lump(const TopDrive& drive);
 
 /// Parts that do not change.
 struct DrillString {
   Chain axial;                      ///< empty: the weight on bit is imposed
   std::vector<double> weights;      ///< [N] of each axial lump, downwards
-  Chain torsional;                  ///< with the drive as first lump when that imposes torque
+  Chain torsional;                  ///< with the drive as first lump when that imposes torque or gives way
   TopDrive drive;                   ///< what turns the upper end
   Friction wall_friction;           ///< of the wall on the string
   std::vector<double> wall_moment;  ///< [N m] normal force times radius at each torsional lump; empty: none
@@ -86,13 +91,17 @@ DrillState beginning(const DrillString& string, const BitRockSource& source, boo
 /// instant: with the 0.1 s mean the loop of face and weight would oscillate. Takes no memory (a source may).
 void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h);
 
+/// What the top drive does at this instant.
+struct TopRotation {
+  double speed = 0.0;   ///< [rad/s] of the drive
+  double torque = 0.0;  ///< [N m] of the drive on the string
+};
+/// For any kind of drive.
+TopRotation top_rotation(const DrillString& string, const DrillState& state);
+
 /// Static weight on bit [N]: weight of the string less hook load and jets; imposed where it is imposed.
 double static_weight_on_bit(const DrillString& string);
 
-/// Of the top drive [rad/s].
-double table_rotation(const DrillString& string, const DrillState& state);
-/// Of the top drive on the string [N m].
-double table_torque(const DrillString& string, const DrillState& state);
 /// Where the bit is [m], downwards; on the face of the rock where there is no axial chain.
 double bit_position(const DrillString& string, const DrillState& state);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bitrock::runtime {
 
@@ -21,8 +22,8 @@ double mismatch(const Spread& seen, const Spread& target) {
   return std::max(share(seen.mean, target.mean), share(root_mean_square(seen), root_mean_square(target)));
 }
 
-double mismatch(const DrillSummary& seen, const DrillSummary& target) {
-  return std::max(mismatch(seen.source_force, target.source_force), mismatch(seen.source_torque, target.source_torque));
+double mismatch(const SourceLoad& seen, const SourceLoad& target) {
+  return std::max(mismatch(seen.force, target.force), mismatch(seen.torque, target.torque));
 }
 
 void correct(Excitation& given, const Spread& seen, const Spread& target) {
@@ -36,24 +37,39 @@ Excitation as_asked(const Spread& target) {
 
 }  // namespace
 
+double match_source(SourceCase source, SourceKind kind, const SourceLoad& target,
+                    const std::function<SourceLoad(const SourceCase&)>& attempt, const std::function<void()>& keep) {
+  source.kind = kind;
+  source.model_file.clear();
+  source.force = as_asked(target.force);
+  source.torque = as_asked(target.torque);
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < most_trials && !(best < good_match); ++i) {
+    const SourceLoad seen = attempt(source);
+    const double missed = mismatch(seen, target);
+    if (i == 0 || missed < best) {
+      best = missed;
+      keep();
+    }
+    correct(source.force, seen.force, target.force);
+    correct(source.torque, seen.torque, target.torque);
+  }
+  return best;
+}
+
 MatchedRun run_matched(const DrillCase& drill, SourceKind kind, const DrillSummary& target,
                        const base::ProgressCallback& progress) {
-  DrillCase trial = drill;
-  trial.source.kind = kind;
-  trial.source.model_file.clear();
-  trial.source.force = as_asked(target.source_force);
-  trial.source.torque = as_asked(target.source_torque);
-  const DrillString string = assemble(trial);
-  MatchedRun best;
-  for (int i = 0; i < most_trials; ++i) {
-    DrillRun run = run_drill(trial, string, make_source(trial, std::nullopt), progress);
-    const DrillSummary seen = run.summary;
-    const double missed = mismatch(seen, target);
-    if (i == 0 || missed < best.mismatch) best = {.drill = trial, .run = std::move(run), .mismatch = missed};
-    if (best.mismatch < good_match) break;
-    correct(trial.source.force, seen.source_force, target.source_force);
-    correct(trial.source.torque, seen.source_torque, target.source_torque);
-  }
+  const DrillString string = assemble(drill);
+  MatchedRun trial, best;
+  trial.drill = drill;
+  const auto attempt = [&](const SourceCase& source) -> SourceLoad {
+    trial.drill.source = source;
+    trial.run = run_drill(trial.drill, string, make_source(trial.drill, std::nullopt), progress);
+    return {trial.run.summary.source_force, trial.run.summary.source_torque};
+  };
+  const double missed =
+      match_source(drill.source, kind, {target.source_force, target.source_torque}, attempt, [&] { best = trial; });
+  best.mismatch = missed;
   return best;
 }
 

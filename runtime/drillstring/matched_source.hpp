@@ -3,6 +3,8 @@
 /// standard deviation, and so the RMS, of force and torque that the networks' run had. What then differs between two
 /// runs is the shape of the excitation, not its size.
 
+#include <functional>
+
 #include "runtime/drillstring/drill_run.hpp"
 
 namespace bitrock::runtime {
@@ -16,6 +18,17 @@ struct MatchedRun {
 
 /// A run that misses mean or RMS by less than this is good enough.
 inline constexpr double good_match = 0.005;  // [1]
+
+/// What a source did over the steps that a summary sees.
+struct SourceLoad {
+  Spread force, torque;  ///< [N], [N m]
+};
+
+/// **What** Finds the parameters of a simple source (sinusoidal or noise) that has, over the steps that a summary sees,
+/// the means and deviations of `target`: by trial, see `run_matched`. `attempt` runs with a source and says what acted;
+/// `keep` hears that this attempt is the best so far. Returns the mismatch of that one.
+double match_source(SourceCase source, SourceKind kind, const SourceLoad& target,
+                    const std::function<SourceLoad(const SourceCase&)>& attempt, const std::function<void()>& keep);
 
 /// **What** Runs `drill` with the source `kind` so that force and torque of the source have, over the steps that the
 /// summary sees, the means and deviations of `target`.

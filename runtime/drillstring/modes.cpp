@@ -65,7 +65,17 @@ bool is_bounded(const ScaledChain& scaled, double h) {
 }  // namespace
 
 std::vector<double> natural_frequencies(const Chain& chain, const BitSupport& support) {
-  const Solver solver(pair_matrix(chain.stiffness, {}, support.stiffness), mass_matrix(chain), Eigen::EigenvaluesOnly);
+  // a chain has three diagonals; scaled by the roots of its masses it is symmetric
+  const Eigen::Index n = static_cast<Eigen::Index>(chain.size());
+  Eigen::VectorXd diagonal(n), beside(n - 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const double below = i + 1 < n ? chain.stiffness[k + 1] : support.stiffness;
+    diagonal(i) = (chain.stiffness[k] + below) / chain.inertia[k];
+    if (i + 1 < n) beside(i) = -below / std::sqrt(chain.inertia[k] * chain.inertia[k + 1]);
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
   const double rounding = 1e-13 * solver.eigenvalues().maxCoeff();  // of a free chain's 0
   std::vector<double> frequencies;
   for (const double square : solver.eigenvalues())
@@ -78,6 +88,29 @@ double equivalent_damping(const Chain& chain) {
   const Eigen::VectorXd mode = solver.eigenvectors().col(0);
   const double at_bit = mode(mode.size() - 1);
   return mode.dot(pair_matrix(chain.damping, chain.wall_damping, 0.0) * mode) / (at_bit * at_bit);
+}
+
+double damping_margin(const Chain& chain) {
+  const Eigen::Index n = static_cast<Eigen::Index>(chain.size());
+  const Eigen::MatrixXd inverse = mass_matrix(chain).inverse();
+  const Eigen::MatrixXd stiffness = inverse * pair_matrix(chain.stiffness, {}, 0.0);
+  const auto grows = [&](double taken) {
+    Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    motion.topRightCorner(n, n).setIdentity();
+    motion.bottomLeftCorner(n, n) = -stiffness;
+    motion.bottomRightCorner(n, n) = -inverse * pair_matrix(chain.damping, chain.wall_damping, -taken);
+    return Eigen::EigenSolver<Eigen::MatrixXd>(motion, false).eigenvalues().real().maxCoeff() > 1e-9;
+  };
+  double low = 0.0, high = 1e-3;
+  while (!grows(high)) {
+    low = high;
+    high *= 2.0;
+  }
+  while (high - low > 1e-3 * high) {
+    const double middle = 0.5 * (low + high);
+    (grows(middle) ? high : low) = middle;
+  }
+  return low;
 }
 
 double continuous_frequency(double wave_speed, double length, int k) {

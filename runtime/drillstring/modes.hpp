@@ -28,6 +28,13 @@ std::vector<double> natural_frequencies(const Chain& chain, const BitSupport& su
 /// **Validity** Light damping, one mode near its limit: higher ones have another c_eq.
 double equivalent_damping(const Chain& chain);
 
+/// **What** The damping that may be taken at the lowest lump before a vibration grows, of any mode and any damping.
+/// **Equation** largest c for which all roots s of det(s^2 M + s (C - c e e^T) + K) = 0 have real parts of 0 or less.
+/// **Symbols** e is 1 at the lowest lump; c [N s/m] / [N m s/rad].
+/// **Source** stability of a linear system, by bisection over its eigenvalues; for light damping `equivalent_damping`.
+/// **Validity** A chain that is held. To 0.1 %.
+double damping_margin(const Chain& chain);
+
 /// **What** Frequencies of the continuous uniform string of length L, held at the top and free at the bit.
 /// **Equation** f_k = (2 k - 1) c / (4 L), c = sqrt(G / rho) or sqrt(E A / m').
 /// **Symbols** c [m/s] speed of the wave; L [m]; k = 1, 2, ...

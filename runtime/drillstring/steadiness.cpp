@@ -22,10 +22,15 @@ double fall(const BitRock& bit, double rotation) {
   return 0.0;
 }
 
+/// A drive that gives way damps so much that no single mode tells.
+double damping_of(const DrillString& string) {
+  return string.drive.control.inertia > 0.0 ? damping_margin(string.torsional) : equivalent_damping(string.torsional);
+}
+
 }  // namespace
 
 Steadiness steadiness(const DrillString& string, double rotation, double weight) {
-  return {.damping = equivalent_damping(string.torsional), .demand = weight * fall(string.bit, rotation)};
+  return {.damping = damping_of(string), .demand = weight * fall(string.bit, rotation)};
 }
 
 std::optional<Steadiness> steadiness(const DrillString& string) {
@@ -37,7 +42,7 @@ std::optional<Steadiness> steadiness(const DrillString& string) {
 
 double steady_weight_limit(const DrillString& string, double rotation) {
   const double falling = fall(string.bit, rotation);
-  return falling > 0.0 ? equivalent_damping(string.torsional) / falling : std::numeric_limits<double>::infinity();
+  return falling > 0.0 ? damping_of(string) / falling : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace bitrock::runtime

@@ -12,9 +12,9 @@ double output_in_plane(const StringSlave& slave, unsigned reference) {
   const runtime::DrillState& state = slave.moment.plane;
   switch (reference) {
     case drive_rotation:
-      return table_rotation(string, state);
+      return top_rotation(string, state).speed;
     case drive_torque:
-      return table_torque(string, state);
+      return top_rotation(string, state).torque;
     case hook_load:
       return string.drive.hook_load;
     case block_speed:

@@ -59,7 +59,11 @@ void load_bit(const WellString& string, WellStringState& state, const BitRockSou
       force -= side;
       bit.side_force = length(side);
       bit.side = (1.0 / (bit.side_force + 1e-200)) * side;
-      bit.friction = hole.friction;
+      // of the gauge, which slips in the plane of the wall
+      const Vector3 slip = bit.velocity + cross(bit.rate, string.gauge_radius * bit.side);
+      const double along = dot(slip, bit.tangent), around = dot(slip, cross(bit.tangent, bit.side));
+      bit.friction =
+          friction_at(hole.friction, hole.more_at_rest, 1.0 / hole.slip_speed, along * along + around * around);
       state.work.dampers += h * dot(damping, bit.velocity);
     }
   }

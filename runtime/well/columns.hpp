@@ -44,7 +44,7 @@ enum Column : std::size_t {
   // of a joint: the hole around it
   contact_radius = 41,  ///< [m] of the pipe there
   clearance = 42,       ///< [m] between pipe and wall when it is in the middle
-  friction = 43,        ///< [1]
+  friction = 43,        ///< [1] of fast slip
   piece = 44,           ///< index of its piece of the hole
   arc_start = 45,       ///< [m], and so on in the order of `WellArc`
   arc_tangent = 48,     ///< down the hole at the begin of the piece
@@ -69,7 +69,11 @@ enum Column : std::size_t {
   wall_work = 83,      ///< [J] by the damper of the wall
   friction_work = 84,  ///< [J]
   drag_work = 85,      ///< [J] of the segment, by the mud
-  column_count = 86    ///< how many there are
+  // of a joint: friction that depends on speed
+  friction_more = 86,  ///< [1] more at rest than when it slips fast
+  friction_pace = 87,  ///< [s/m] inverse of the speed at which half of that is left
+  friction_now = 88,   ///< [1] in this step
+  column_count = 89    ///< how many there are
 };
 
 /// All columns in one block of memory. Segments of even number come first, then those of odd number: neighbours of a

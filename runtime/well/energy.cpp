@@ -41,6 +41,7 @@ WellEnergy stored_energy(const WellString& string, const WellStringState& state,
     if (joint && !string.hole.empty()) energy.wall += wall_energy(string, columns, i);
   }
   if (string.upper_end == UpperEnd::table) energy.springs += table_energy(string, middle);
+  energy.kinetic += 0.5 * string.control.inertia * middle.top.drive_speed * middle.top.drive_speed;
   energy.wall += bit_energy(string, middle);
   return energy;
 }

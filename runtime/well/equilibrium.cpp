@@ -24,12 +24,14 @@ void forget_motion(WellStringState& state) {
 
 void relax(const WellString& string, WellStringState& state, double h) {
   WellString smooth = string;
-  for (HolePiece& hole : smooth.hole) hole.friction = 0.0;
+  for (HolePiece& hole : smooth.hole) hole.friction = hole.more_at_rest = 0.0;
   smooth.on_rock = false;
   const BitRockSource nothing = no_excitation();
   const double time = state.time;
-  double* mu = state.columns[friction];
-  for (std::size_t k = 0; k < state.columns.stride(); ++k) mu[k] = 0.0;
+  for (const Column column : {friction, friction_more}) {
+    double* mu = state.columns[column];
+    for (std::size_t k = 0; k < state.columns.stride(); ++k) mu[k] = 0.0;
+  }
   const struct { double rate, duration; } phases[] = {{3.0, 8.0}, {0.8, 4.0}};
   for (const auto& phase : phases) {
     const double factor = std::exp(-phase.rate * h);

@@ -16,7 +16,7 @@ BITROCK_INTO_BOTH void rub_joints(Columns& columns, std::size_t odd, std::size_t
     Real ma, mb, ea, eb, ia, ib, ja, jb, ha, hb, radius, normal, mu, before_t, before_c, given_t, given_c, work;
     take(columns, wall_force, at.joint, normal);
     if (!any_above_zero(normal)) continue;
-    take(columns, friction, at.joint, mu);
+    take(columns, friction_now, at.joint, mu);
     take(columns, contact_radius, at.joint, radius);
     take(columns, wall_normal, at.joint, n);
     take(columns, wall_tangent, at.joint, t);

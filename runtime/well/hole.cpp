@@ -24,6 +24,12 @@ void require_sections(const std::vector<HoleSection>& sections) {
       refuse(fmt::format("diameter {:g} m (must be above 0)", section.diameter));
     if (!(section.friction >= 0.0 && std::isfinite(section.friction)))
       refuse(fmt::format("coefficient of friction {:g} (must be 0 or more)", section.friction));
+    if (section.resting_friction != 0.0 &&
+        !(section.resting_friction >= section.friction && std::isfinite(section.resting_friction)))
+      refuse(fmt::format("friction {:g} at rest and {:g} when it slips (must be no less at rest)",
+                         section.resting_friction, section.friction));
+    if (!(section.slip_speed > 0.0 && std::isfinite(section.slip_speed)))
+      refuse(fmt::format("slip speed of friction {:g} m/s (must be above 0)", section.slip_speed));
     above = section.to_depth;
   }
 }
@@ -59,7 +65,9 @@ std::vector<HolePiece> hole_pieces(const WellPath& path, const std::vector<HoleS
       const WellPoint lower = point_at(path, to, at);
       HolePiece piece{.arc = part_of(path, arc, from, to),
                       .radius = 0.5 * sections[section].diameter,
-                      .friction = sections[section].friction};
+                      .friction = sections[section].friction,
+                      .more_at_rest = std::max(0.0, sections[section].resting_friction - sections[section].friction),
+                      .slip_speed = sections[section].slip_speed};
       piece.end_tangent = lower.tangent;
       piece.end_reach = dot(lower.tangent, lower.position);
       pieces.push_back(piece);

@@ -10,16 +10,20 @@ namespace bitrock::runtime {
 
 /// A stretch of casing or open hole.
 struct HoleSection {
-  double to_depth = 0.0;  ///< [m] measured depth of its lower end
-  double diameter = 0.0;  ///< [m]
-  double friction = 0.0;  ///< [1] coefficient of friction, 0 or more
+  double to_depth = 0.0;          ///< [m] measured depth of its lower end
+  double diameter = 0.0;          ///< [m]
+  double friction = 0.0;          ///< [1] coefficient of friction, 0 or more; of fast slip where it depends on speed
+  double resting_friction = 0.0;  ///< [1] at rest, no less than the other; 0: the same
+  double slip_speed = 0.05;       ///< [m/s] at which half of the difference is left; above 0 [Simulator4nDOF]
 };
 
 /// A stretch of constant curvature, diameter and friction.
 struct HolePiece {
   WellArc arc;                                                 ///< its part of the path
   double radius = 0.0;                                         ///< [m] of the hole
-  double friction = 0.0;                                       ///< [1]
+  double friction = 0.0;                                       ///< [1] of fast slip
+  double more_at_rest = 0.0;                                   ///< [1] at rest it is so much more
+  double slip_speed = 0.05;                                    ///< [m/s] at which half of that is left
   Vector3 end_tangent;                                         ///< down the hole, at its lower end
   double end_reach = std::numeric_limits<double>::infinity();  ///< [m] end_tangent . lower end; endless for the last
 };

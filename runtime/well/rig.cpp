@@ -8,7 +8,7 @@ namespace bitrock::runtime {
 
 namespace {
 
-constexpr double smoothing = 1.0;  // [s] of the push of the rock, some periods of the first axial mode
+constexpr double smoothing = 1.0;  // [s] of loads, some periods of the first axial mode
 
 /// 0 to 1 within a ramp, in the middle of the step.
 double risen(double time, double ramp) {
@@ -24,7 +24,9 @@ double drilling_speed(const RigPlan& plan, const BitState& bit) {
 
 RigControls controls(const RigPlan& plan, RigState& rig, const WellStringState& state, double h) {
   const BitState& bit = state.bit;
-  rig.felt += std::min(1.0, h / smoothing) * (bit.weight_on_bit + bit.source_force - rig.felt);
+  const double newer = std::min(1.0, h / smoothing);
+  rig.felt += newer * (bit.weight_on_bit + bit.source_force - rig.felt);
+  rig.hook += std::min(1.0, h / std::min(smoothing, std::max(state.time, h))) * (state.top.hook_load - rig.hook);
   const double since = state.time - rig.began, middle = since + 0.5 * h;
   const auto next = [&](RigPhase phase) {
     rig.phase = phase;
@@ -39,10 +41,17 @@ RigControls controls(const RigPlan& plan, RigState& rig, const WellStringState& 
       return {.feed_speed = plan.run_in_speed * risen(middle, plan.ramp) * risen(whole - middle, plan.ramp)};
     }
     case RigPhase::starting_to_turn:
-      if (since >= plan.rotation_ramp && plan.weight_on_bit > 0.0) return next(RigPhase::slacking_off);
+      if (since >= plan.rotation_ramp && plan.weight_on_bit > 0.0) {
+        rig.off_bottom = rig.hook;
+        rig.fed = state.top.fed;
+        return next(RigPhase::slacking_off);
+      }
       return {.drive_speed = plan.rotation * risen(middle, plan.rotation_ramp)};
     case RigPhase::slacking_off: {
-      if (rig.felt >= 0.95 * plan.weight_on_bit) return next(RigPhase::drilling);
+      if (rig.felt >= 0.95 * plan.weight_on_bit) {
+        rig.drift = drilling_speed(plan, bit);
+        return next(RigPhase::drilling);
+      }
       // slower as the weight comes near what is asked: what is felt lags behind
       const double missing = std::clamp(1.0 - rig.felt / plan.weight_on_bit, 0.0, 1.0);
       const double extra = (plan.slack_off_speed - drilling_speed(plan, bit)) * missing;
@@ -52,7 +61,11 @@ RigControls controls(const RigPlan& plan, RigState& rig, const WellStringState& 
     case RigPhase::drilling:
       break;
   }
-  return {.feed_speed = drilling_speed(plan, bit), .drive_speed = plan.rotation};
+  if (!plan.holds_weight) return {.feed_speed = drilling_speed(plan, bit), .drive_speed = plan.rotation};
+  // what the hook has lost since the string turned off bottom is on the bit, as far as a rig can know
+  const double heavier = plan.pipe_weight * (state.top.fed - rig.fed);
+  const double missing = plan.weight_on_bit - (rig.off_bottom + heavier - rig.hook);
+  return {.feed_speed = feed_of(plan.autodriller, missing, h, rig.drift), .drive_speed = plan.rotation};
 }
 
 }  // namespace bitrock::runtime

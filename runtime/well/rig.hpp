@@ -1,6 +1,7 @@
 #pragma once
 /// What the driller does from tripping in to drilling, step by step: run in, begin to turn, go to bottom, drill.
 
+#include "runtime/laws/autodriller.hpp"
 #include "runtime/well/well_string.hpp"
 
 namespace bitrock::runtime {
@@ -15,6 +16,9 @@ struct RigPlan {
   double weight_on_bit = 0.0;     ///< [N] to slack off to; 0: the bit stays where it is, off bottom
   double slack_off_speed = 0.05;  ///< [m/s] of that
   double drilling_speed = 0.0;    ///< [m/s] of the feed afterwards; 0: as fast as the rock's face goes
+  bool holds_weight = false;      ///< the autodriller feeds instead, so that the weight on bit stays
+  Autodriller autodriller;        ///< of that
+  double pipe_weight = 0.0;       ///< [N/m] of new pipe in the mud, which the hook bears besides
 };
 
 /// What it is at.
@@ -30,6 +34,10 @@ struct RigState {
   RigPhase phase = RigPhase::running_in;  ///< now
   double began = 0.0;                     ///< [s] time at which the phase began
   double felt = 0.0;                      ///< [N] push of the rock, smoothed over a second
+  double hook = 0.0;                      ///< [N] hook load, smoothed alike
+  double off_bottom = 0.0;                ///< [N] the same when the string turned off bottom, before it was slacked off
+  double fed = 0.0;                       ///< [m] pipe that had come through the table by then
+  double drift = 0.0;                     ///< [m/s] integral of the autodriller
 };
 
 /// Speed of the feed and of the drive for the step that begins now; goes on to the next phase where it is time. `h` [s]

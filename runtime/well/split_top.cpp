@@ -50,7 +50,9 @@ void split_top(const WellString& string, WellStringState& state, double lower_le
   const double share = lower_length / state.top.length;
   const SegmentMotion motion = motion_of(columns, lower);
   const TableSprings springs = table_springs(string, state);
-  const double hook = springs.hoist * (upper_end_of(columns, lower).z - state.top.reference);
+  const double stretched = upper_end_of(columns, lower).z - state.top.reference;
+  const bool slack = stretched < 0.0 && !string.hoist_pushes;
+  const double hook = slack ? 0.0 : springs.hoist * stretched;
   const double drive_torque = springs.drive * (state.top.drive_angle - columns.at(turns, lower));
   const JointLoad<double> below = lower > 0 ? joint_now(columns, lower - 1) : JointLoad<double>{};
 
@@ -85,7 +87,7 @@ void split_top(const WellString& string, WellStringState& state, double lower_le
   renew_piece(string, columns, lower);
 
   const TableSprings stiffer = table_springs(string, state);
-  state.top.reference = upper_end_of(columns, upper).z - hook / stiffer.hoist;
+  state.top.reference = upper_end_of(columns, upper).z - (slack ? stretched : hook / stiffer.hoist);
   columns.at(turns, upper) = state.top.drive_angle - drive_torque / stiffer.drive;
   state.work.growth += energy_above(string, state, lower) - energy_before;
 }

@@ -68,6 +68,12 @@ double longest_stable_step(const WellString& string) {
       sideways.add(0.25 * wall * lever, wall_beta);
       tilting.add(wall / mass, wall_beta);
     }
+    if (i + 1 == count && string.control.inertia > 0.0) {  // against the drive; its damper is implicit
+      ModeBound drive;
+      drive.add(4.0 * section.beam.torsion / length / string.control.inertia, beta.torsion);
+      drive.add(string.control.stiffness / string.control.inertia, 0.0);
+      step = std::min(step, drive.step());
+    }
     for (const ModeBound& mode : {along, around, sideways, tilting}) step = std::min(step, mode.step());
   }
   return step;

@@ -12,6 +12,11 @@ namespace {
 
 constexpr double sideways_stiffness = 5e7;  // [N/m] of the table, as stiff as the wall
 
+/// How far the hoist's spring is stretched [m]; a line that is slack holds nothing.
+double taut(const WellString& string, double low) {
+  return string.hoist_pushes || low > 0.0 ? low : 0.0;
+}
+
 /// Energy that `added` metres of new pipe bring along or take [J]; the equation is in the header.
 double growth_work(const WellString& string, const WellStringState& state, double added) {
   const Columns& columns = state.columns;
@@ -22,7 +27,8 @@ double growth_work(const WellString& string, const WellStringState& state, doubl
   const Vector3 upper = upper_end_of(columns, top), v = upper_velocity_of(columns, top);
   const Vector3 w = vector_at(columns, rate, top), d = vector_at(columns, direction, top);
   const double low = upper.z - state.top.reference, spin = dot(w, d), tumble = dot(w, w) - spin * spin;
-  const double hook = springs.hoist * low, torque = springs.drive * (state.top.drive_angle - columns.at(turns, top));
+  const double hook = springs.hoist * taut(string, low),
+               torque = springs.drive * (state.top.drive_angle - columns.at(turns, top));
   const double along = dot(v, d), lateral = beam.mass + section.added_mass;
   double energy = 0.5 * (lateral * (dot(v, v) - along * along) + beam.mass * along * along) +
                   0.5 * (beam.polar_inertia * spin * spin + beam.transverse_inertia * tumble) -
@@ -37,6 +43,21 @@ double growth_work(const WellString& string, const WellStringState& state, doubl
   return added * energy;
 }
 
+/// Speed of the drive during the step [rad/s], under the torque of the string; the work of its motor.
+double turn_drive(const DriveControl& control, WellStringState& state, double set_speed, double torque, double h) {
+  TopState& top = state.top;
+  const double lag = control.stiffness * (top.set_angle - top.drive_angle);
+  const double wanted = 0.5 * (top.set_speed + set_speed), half = 0.5 * h * control.damping / control.inertia;
+  const double before = top.drive_speed;
+  const double after =
+      ((1.0 - half) * before + 2.0 * half * wanted + h * (lag - torque) / control.inertia) / (1.0 + half);
+  const double mean = 0.5 * (before + after);
+  state.work.drive += h * (control.damping * (wanted - mean) + lag) * mean;
+  top.set_angle += h * set_speed;
+  top.set_speed = set_speed;
+  return after;
+}
+
 }  // namespace
 
 TableSprings table_springs(const WellString& string, const WellStringState& state) {
@@ -49,7 +70,7 @@ TableSprings table_springs(const WellString& string, const WellStringState& stat
 double table_energy(const WellString& string, const WellStringState& state) {
   const TableSprings springs = table_springs(string, state);
   const Vector3 end = upper_end_of(state.columns, state.count - 1);
-  const double low = end.z - state.top.reference;
+  const double low = taut(string, end.z - state.top.reference);
   const double twist = state.top.drive_angle - state.columns.at(turns, state.count - 1);
   return 0.5 * (springs.hoist * low * low + springs.sideways * (end.x * end.x + end.y * end.y) +
                 springs.drive * twist * twist);
@@ -80,13 +101,18 @@ void load_table(const WellString& string, WellStringState& state, const RigContr
   const MaterialDamping& beta = string.damping;
   const Vector3 end = upper_end_of(columns, top), v = upper_velocity_of(columns, top);
   const Vector3 d = vector_at(columns, direction, top);
-  const double low = end.z - state.top.reference;
+  const double low = taut(string, end.z - state.top.reference);
   // new pipe comes in between: the hoist's spring becomes longer by what the pipe moves less what is fed
   const Vector3 stretching = v - controls.feed_speed * d;
-  const Vector3 damping{beta.shear * springs.sideways * stretching.x, beta.shear * springs.sideways * stretching.y,
-                        beta.axial * springs.hoist * stretching.z};
+  Vector3 damping{beta.shear * springs.sideways * stretching.x, beta.shear * springs.sideways * stretching.y,
+                  beta.axial * springs.hoist * stretching.z};
+  if (!string.hoist_pushes) {  // the damper takes at most what the spring has, and nothing of a slack line
+    const double pull = springs.hoist * low;
+    if (low == 0.0 || pull + damping.z < 0.0) damping.z = -pull;
+  }
   const Vector3 force = -(Vector3{springs.sideways * end.x, springs.sideways * end.y, springs.hoist * low} + damping);
-  const double behind = controls.drive_speed - spin_of(columns, top);
+  const bool gives_way = string.control.inertia > 0.0;
+  const double behind = (gives_way ? state.top.drive_speed : controls.drive_speed) - spin_of(columns, top);
   const double braking = beta.torsion * springs.drive * behind;
   const double torque = springs.drive * (state.top.drive_angle - columns.at(turns, top)) + braking;
   set_vector(columns, force_below, top, force);
@@ -95,9 +121,13 @@ void load_table(const WellString& string, WellStringState& state, const RigContr
   state.top.drive_torque = torque;
   state.work.dampers += h * (dot(damping, stretching) + braking * behind);
   state.work.growth -= h * controls.feed_speed * dot(damping, d);
-  state.work.drive += h * torque * 0.5 * (controls.drive_speed + state.top.drive_speed);
-  state.top.drive_speed = controls.drive_speed;
-  state.top.drive_angle += h * controls.drive_speed;
+  if (gives_way) {
+    state.top.drive_speed = turn_drive(string.control, state, controls.drive_speed, torque, h);
+  } else {
+    state.work.drive += h * torque * 0.5 * (controls.drive_speed + state.top.drive_speed);
+    state.top.drive_speed = controls.drive_speed;
+  }
+  state.top.drive_angle += h * state.top.drive_speed;
 }
 
 }  // namespace bitrock::runtime

@@ -17,8 +17,10 @@ namespace bitrock::runtime {
 void lengthen_top(const WellString& string, WellStringState& state, const RigControls& controls, double h);
 
 /// **What** Hoist and drive on the uppermost segment, as loads of its upper end.
-/// **Equation** H = k e + c (e' - v), k = 2 EA / L; sideways a spring of 5e7 N/m; T = k_t (Phi - sigma) + c_t (Phi' -
-/// sigma'), k_t = 2 GJ / L.
+/// **Equation** H = max(0, k e + c (e' - v)), k = 2 EA / L: a line that only pulls (unless `hoist_pushes`); sideways a
+/// spring of 5e7 N/m; T = k_t (Phi - sigma) + c_t (Phi' - sigma'), k_t = 2 GJ / L. A drive that gives way turns by J
+/// (W' - W) / h = C (W_s - (W + W') / 2) + k (Phi_s - Phi) - T first, T with the speed W that it had (`DriveControl`);
+/// a stiff one has the speed that is asked for.
 /// **Symbols** e [m] depth of the upper end below the point where the hoist's spring is free; Phi [rad] angle of the
 /// drive; sigma [rad] turns of the segment, counted beyond one turn.
 void load_table(const WellString& string, WellStringState& state, const RigControls& controls, double h);

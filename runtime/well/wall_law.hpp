@@ -34,6 +34,18 @@ BITROCK_INTO_BOTH WallPush<Real> wall_push(const WallSpring& wall, const Real& p
   return {.force = force, .damper_power = (force - spring) * speed, .energy = 0.5 * spring * depth};
 }
 
+/// **What** Coefficient of friction at a speed of slip: more at rest than when it slips fast.
+/// **Equation** mu = mu_k + (mu_s - mu_k) / (1 + (u / v_s)^2).
+/// **Symbols** mu_k, mu_s [1] of fast slip and at rest; `more` = mu_s - mu_k; u [m/s] speed of slip; v_s [m/s], `pace`
+/// = 1 / v_s.
+/// **Source** the falling branch of Stribeck's curve in the form of [HessSoom1990], without its viscous part.
+/// **Differences and validity** u is that at the end of the step before, so that the impulse of a step still has one
+/// root; while N h / m dmu/du is far below 1 this is first order in the step. Sticking has u = 0, and so mu_s.
+template <class Real>
+BITROCK_INTO_BOTH Real friction_at(const Real& sliding, const Real& more, const Real& pace, const Real& slip_squared) {
+  return sliding + more / (1.0 + slip_squared * pace * pace);
+}
+
 /// Impulse of friction in the plane of the wall, and the slip that is left.
 template <class Real>
 struct SlipImpulse {

@@ -88,8 +88,10 @@ BITROCK_INTO_BOTH void add_wall(Columns& columns, std::size_t place, const WallS
                                 const JointSide<Real>& a, const JointSide<Real>& b, const InHole<Real>& hole,
                                 Triple<Real>& force_a, Triple<Real>& torque_a, Triple<Real>& force_b,
                                 Triple<Real>& torque_b) {
-  Real room, radius, work, mu, along, back;
+  Real room, radius, work, mu, more, pace, along, back;
   take(columns, friction, place, mu);
+  take(columns, friction_more, place, more);
+  take(columns, friction_pace, place, pace);
   take(columns, friction_along, place, along);
   take(columns, friction_around, place, back);
   take(columns, clearance, place, room);
@@ -114,7 +116,9 @@ BITROCK_INTO_BOTH void add_wall(Columns& columns, std::size_t place, const WallS
   const Triple<Real> around = cross(hole.tangent, n), surface = radius * n;
   const Triple<Real> slip = v + cross(0.5 * (a.rate + b.rate), surface);
   // friction begins with that of the step before, as far as the wall still presses: what sticks then sticks exactly
-  const Real most = mu * push.force;
+  const Real slip_t = dot(slip, hole.tangent), slip_c = dot(slip, around);
+  const Real now = friction_at(mu, more, pace, Real(slip_t * slip_t + slip_c * slip_c));
+  const Real most = now * push.force;
   const Real cut = most / larger(most, Real(square_root(along * along + back * back) + 1e-200));
   const Triple<Real> rub = Real(0.5 * cut * along) * hole.tangent + Real(0.5 * cut * back) * around;
   force_a += rub;
@@ -126,8 +130,9 @@ BITROCK_INTO_BOTH void add_wall(Columns& columns, std::size_t place, const WallS
   put(columns, wall_normal, place, n);
   put(columns, wall_tangent, place, hole.tangent);
   put(columns, wall_force, place, push.force);
-  put(columns, slip_along, place, dot(slip, hole.tangent));
-  put(columns, slip_around, place, dot(slip, around));
+  put(columns, slip_along, place, slip_t);
+  put(columns, slip_around, place, slip_c);
+  put(columns, friction_now, place, now);
   put(columns, wall_work, place, Real(work + h * push.damper_power));
 }
 

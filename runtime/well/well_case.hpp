@@ -16,9 +16,10 @@ namespace bitrock::runtime {
 
 /// What a pipe of the case needs beside its section.
 struct WellPipe {
-  PipeSection pipe;               ///< its length and section
-  double segment_length = 10.0;   ///< [m] of its segments, or a little less: a whole number of them
-  double contact_diameter = 0.0;  ///< [m] with which it touches the wall, of its tool joints; 0: of the body
+  PipeSection pipe;                  ///< its length and section
+  double segment_length = 10.0;      ///< [m] of its segments, or a little less: a whole number of them
+  double contact_diameter = 0.0;     ///< [m] with which it touches the wall, of its tool joints; 0: of the body
+  double tool_joint_distance = 0.0;  ///< [m] from one tool joint to the next; 0: none that matter
 };
 
 /// A drilling case with a well, as its file says it.
@@ -35,8 +36,14 @@ struct WellCase {
   bool mud_added_mass = false;             ///< mud that moves with the pipe across its axis counts
   double drag_across = 0.0;                ///< [N s/m^2] of the mud
   RigPlan plan;                            ///< what is done
+  double autodriller_time = 5.0;           ///< [s] in which it answers: some periods of the first axial mode of 1500 m
+  int frames = 400;                        ///< instants of which the run keeps the whole string, besides the beginning
   std::vector<StressPoint> stress_points;  ///< whose history is kept
+  bool every_joint = false;                ///< the loads of every joint are kept, too
 };
+
+/// The pipe that is so far above the bit [m].
+const WellPipe& pipe_at(const WellCase& well, double above_bit);
 
 /// Whether a file is a case with a well.
 bool has_well(const std::filesystem::path& file);
@@ -46,6 +53,14 @@ WellCase read_well_case(const std::filesystem::path& file);
 
 /// The string of the case, in the hole along `stations`, at its beginning. Throws `InputError`.
 WellString assemble(const WellCase& well);
+
+/// The case with every value, its survey and its bit inside, as a file that is read back to the same bits. It names the
+/// networks.
+std::string resolved_toml(const WellCase& well);
+
+/// The case back from `resolved_toml`, or from the text of a file, long after: what it names need not be there any more
+/// (`stations` are then empty where a survey file gave them, and the bit is not read). `name` is for messages.
+WellCase recorded_well_case(std::string_view text, const std::string& name);
 
 /// What people are told of the keys besides those of `drill_keys`.
 std::vector<base::KeyRow> well_keys();

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/stop.hpp"
 #include "runtime/well/energy.hpp"
@@ -29,18 +30,9 @@ void record(const WellStringState& state, WellSeries& series) {
   series.bit_side_force_N.push_back(state.bit.side_force);
 }
 
-struct Observed {
-  RunningSpread hook, torque, rotation, weight, source, rop;
-
-  void add(const WellStringState& state) {
-    hook.add(state.top.hook_load);
-    torque.add(state.top.drive_torque);
-    rotation.add(spin_of(state.columns, 0));
-    weight.add(state.bit.weight_on_bit);
-    source.add(state.bit.source_force);
-    rop.add(state.bit.rate_of_penetration);
-  }
-};
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 }  // namespace
 
@@ -54,7 +46,7 @@ WellStringState brought_to_rest(const WellCase& well, const WellString& string) 
 WellStatics statics(const WellCase& well, const WellString& string) {
   require_stable(well, string);
   WellString smooth = string;
-  for (HolePiece& piece : smooth.hole) piece.friction = 0.0;
+  for (HolePiece& piece : smooth.hole) piece.friction = piece.more_at_rest = 0.0;
   WellStringState state = brought_to_rest(well, smooth);
   advance(smooth, state, {}, no_excitation(), well.drill.run.step);
   require_sound(smooth, state);
@@ -72,56 +64,94 @@ WellStatics statics(const WellCase& well, const WellString& string) {
   return result;
 }
 
-WellRun run_well(const WellCase& well, const WellString& string, const DrillSource& source,
-                 const base::ProgressCallback& progress) {
+void SeenAfterSettling::add(const WellStringState& state) {
+  hook.add(state.top.hook_load);
+  torque.add(state.top.drive_torque);
+  rotation.add(spin_of(state.columns, 0));
+  weight.add(state.bit.weight_on_bit);
+  source.add(state.bit.source_force);
+  source_torque.add(state.bit.source_torque);
+  rop.add(state.bit.rate_of_penetration);
+}
+
+WellUnderWay begun_run(const WellCase& well, const WellString& string) {
   require_stable(well, string);
   const auto begin = std::chrono::steady_clock::now();
-  const DrillSchedule& schedule = well.drill.run;
-  WellRun run;
-  run.step = step_of(schedule);
-  const double h = run.step;
-  const auto steps_a_sample = static_cast<long long>(std::llround(schedule.sample / h));
-  const auto samples = static_cast<long long>(std::floor(schedule.duration / schedule.sample * (1.0 + 1e-12)));
+  WellUnderWay way;
+  way.run.step = step_of(well.drill.run);
+  way.state = brought_to_rest(well, string);
+  way.initial = stored_energy(string, way.state, way.run.step).total();
+  way.stress.resize(well.stress_points.size());
+  way.run.series.stress_Pa.resize(well.stress_points.size());
+  way.run.orbits.resize(well.stress_points.size());
+  if (well.frames > 0) add_frame(string, way.state, well.drill.pipes, well.drill.fluid_density, way.run.frames);
+  way.run.wall_time = seconds_since(begin);
+  return way;
+}
 
-  WellStringState state = brought_to_rest(well, string);
-  const double initial = stored_energy(string, state, h).total();
-  RigState rig;
-  Observed seen;
-  std::vector<RunningSpread> normal(well.stress_points.size());
-  run.series.stress_Pa.resize(well.stress_points.size());
-  for (long long sample = 0; sample < samples; ++sample) {
-    if (progress) progress(static_cast<double>(sample) * schedule.sample, schedule.duration);
+long long samples_of(const WellCase& well) {
+  const DrillSchedule& schedule = well.drill.run;
+  return static_cast<long long>(std::floor(schedule.duration / schedule.sample * (1.0 + 1e-12)));
+}
+
+void take_sample(const WellCase& well, const WellString& string, const DrillSource& source, WellUnderWay& way) {
+  const DrillSchedule& schedule = well.drill.run;
+  const double h = way.run.step;
+  WellStringState& state = way.state;
+  const auto steps = static_cast<long long>(std::llround(schedule.sample / h));
+  for (long long i = 0; i < steps; ++i) {
+    advance(string, state, controls(well.plan, way.rig, state, h), source.load, h);
+    if (state.time > schedule.settling) way.seen.add(state);
+  }
+  way.run.steps += steps;
+  require_sound(string, state);
+  record(state, way.run.series);
+  for (std::size_t p = 0; p < way.stress.size(); ++p) {
+    const double stress = stress_at(string, state, well.stress_points[p], well.drill.fluid_density).normal;
+    way.run.series.stress_Pa[p].push_back(stress);
+    if (state.time <= schedule.settling) continue;
+    way.stress[p].add(stress);
+    add_to_orbit(string, state, well.stress_points[p].above_bit, way.run.orbits[p]);
+  }
+  if (well.every_joint && state.time > schedule.settling) {
+    if (way.run.joints.empty()) way.run.joints = joints_of(well, state);
+    record_joints(string, state, well.drill.fluid_density, way.run.joints);
+  }
+  ++way.samples;
+  if (is_kept(way.samples, samples_of(well), well.frames))
+    add_frame(string, state, well.drill.pipes, well.drill.fluid_density, way.run.frames);
+}
+
+WellRun finished_run(const WellCase& well, const WellString& string, const DrillSource& source, WellUnderWay way,
+                     const base::ProgressCallback& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  const DrillSchedule& schedule = well.drill.run;
+  for (const long long samples = samples_of(well); way.samples < samples;) {
+    if (progress) progress(static_cast<double>(way.samples) * schedule.sample, schedule.duration);
     base::throw_if_stopped();
-    for (long long i = 0; i < steps_a_sample; ++i) {
-      advance(string, state, controls(well.plan, rig, state, h), source.load, h);
-      if (state.time > schedule.settling) seen.add(state);
-    }
-    require_sound(string, state);
-    record(state, run.series);
-    for (std::size_t p = 0; p < normal.size(); ++p) {
-      const double stress = stress_at(string, state, well.stress_points[p], well.drill.fluid_density).normal;
-      run.series.stress_Pa[p].push_back(stress);
-      if (state.time > schedule.settling) normal[p].add(stress);
-    }
+    take_sample(well, string, source, way);
   }
   if (progress) progress(schedule.duration, schedule.duration);
 
-  run.steps = samples * steps_a_sample;
+  const WellStringState& state = way.state;
+  const SeenAfterSettling& seen = way.seen;
   const double work = friction_work_of(state);
   const StringSection& lowest = section_of(string, 0);
   const double bar = segment_length_of(string, 0), passes = 1.0 / (std::numbers::pi * bar);
+  WellRun run = std::move(way.run);
   run.summary = {.hook_load = seen.hook.spread(),
                  .drive_torque = seen.torque.spread(),
                  .bit_rotation = seen.rotation.spread(),
                  .weight_on_bit = seen.weight.spread(),
                  .source_force = seen.source.spread(),
                  .rop = seen.rop.spread(),
+                 .source_torque = seen.source_torque.spread(),
                  .bit_depth = state.bit.depth,
                  .fed = state.top.fed,
                  .drilled = well.bottom_depth > 0.0 ? state.bit.face - well.bottom_depth : 0.0,
                  .segments = static_cast<int>(state.count),
                  .friction_work = work,
-                 .energy_residual = work > 0.0 ? energy_residual(string, state, initial, h) / work : 0.0,
+                 .energy_residual = work > 0.0 ? energy_residual(string, state, way.initial, run.step) / work : 0.0,
                  .longest_bar = state.top.length,
                  .axial_pass_band = passes * std::sqrt(lowest.beam.axial / lowest.beam.mass),
                  .torsional_pass_band = passes * std::sqrt(lowest.beam.torsion / lowest.beam.polar_inertia)};
@@ -129,12 +159,17 @@ WellRun run_well(const WellCase& well, const WellString& string, const DrillSour
     run.summary.clamps = source.bit->clamps();
     run.summary.draws = source.bit->draws();
   }
-  for (std::size_t p = 0; p < normal.size(); ++p)
+  for (std::size_t p = 0; p < way.stress.size(); ++p)
     run.stresses.push_back({.point = well.stress_points[p],
                             .stress = stress_at(string, state, well.stress_points[p], well.drill.fluid_density),
-                            .normal = normal[p].spread()});
-  run.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+                            .normal = way.stress[p].spread()});
+  run.wall_time += seconds_since(begin);
   return run;
+}
+
+WellRun run_well(const WellCase& well, const WellString& string, const DrillSource& source,
+                 const base::ProgressCallback& progress) {
+  return finished_run(well, string, source, begun_run(well, string), progress);
 }
 
 }  // namespace bitrock::runtime

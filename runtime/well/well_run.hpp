@@ -3,6 +3,9 @@
 
 #include "base/progress.hpp"
 #include "runtime/drillstring/drill_run.hpp"
+#include "runtime/well/joint_histories.hpp"
+#include "runtime/well/orbit.hpp"
+#include "runtime/well/string_frames.hpp"
 #include "runtime/well/well_case.hpp"
 
 namespace bitrock::runtime {
@@ -28,6 +31,7 @@ struct WellSeries {
 struct WellSummary {
   Spread hook_load, drive_torque, bit_rotation;             ///< [N], [N m], [rad/s]
   Spread weight_on_bit, source_force, rop;                  ///< [N], [N], [m/s]
+  Spread source_torque;                                     ///< [N m] of the source: limit of the breaking rock
   double bit_depth = 0.0;                                   ///< [m] measured depth at the end
   double fed = 0.0;                                         ///< [m]
   double drilled = 0.0;                                     ///< [m] of rock
@@ -52,6 +56,9 @@ struct WellRun {
   WellSeries series;                  ///< samples
   WellSummary summary;                ///< means and extremes
   std::vector<StressAtEnd> stresses;  ///< in the order of the case
+  std::vector<Orbit> orbits;          ///< of the joints nearest to these points, after `settling`
+  StringFrames frames;                ///< the whole string at the beginning, and so often as the case asks
+  std::vector<JointHistory> joints;   ///< from the bit up, where the case keeps them
   double step = 0.0;                  ///< [s]
   long long steps = 0;                ///< taken
   double wall_time = 0.0;             ///< [s] on the clock
@@ -74,7 +81,40 @@ WellStringState brought_to_rest(const WellCase& well, const WellString& string);
 /// Throws `InputError` when the step is too long.
 WellStatics statics(const WellCase& well, const WellString& string);
 
-/// Throws `InputError` when the step is too long, `SimulationError` when a number is no longer finite.
+/// What `WellSummary` sees, step by step.
+struct SeenAfterSettling {
+  RunningSpread hook, torque, rotation, weight, source, source_torque, rop;  ///< as in `WellSummary`
+
+  /// The next step.
+  void add(const WellStringState& state);
+};
+
+/// A run under way. A copy goes on by itself, to the same bits: runs that differ at the bit alone share their trip.
+struct WellUnderWay {
+  WellRun run;                        ///< so far
+  WellStringState state;              ///< now
+  RigState rig;                       ///< now
+  SeenAfterSettling seen;             ///< so far
+  std::vector<RunningSpread> stress;  ///< of the stress points, so far
+  double initial = 0.0;               ///< [J] stored at the beginning
+  long long samples = 0;              ///< taken
+};
+
+/// At rest in the hole. Throws `InputError` when the step is too long.
+WellUnderWay begun_run(const WellCase& well, const WellString& string);
+
+/// Samples of a whole run.
+long long samples_of(const WellCase& well);
+
+/// Goes on for one sample. Throws `SimulationError` when a number is no longer finite.
+void take_sample(const WellCase& well, const WellString& string, const DrillSource& source, WellUnderWay& way);
+
+/// Goes on to the end. Throws as `take_sample` does.
+WellRun finished_run(const WellCase& well, const WellString& string, const DrillSource& source, WellUnderWay way,
+                     const base::ProgressCallback& progress = {});
+
+/// From beginning to end. Throws `InputError` when the step is too long, `SimulationError` when a number is no longer
+/// finite.
 WellRun run_well(const WellCase& well, const WellString& string, const DrillSource& source,
                  const base::ProgressCallback& progress = {});
 

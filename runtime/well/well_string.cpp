@@ -86,6 +86,8 @@ void renew_piece(const WellString& string, Columns& columns, std::size_t i) {
   columns.at(piece, i) = static_cast<double>(found);
   columns.at(clearance, i) = hole.radius - columns.at(contact_radius, i);
   columns.at(friction, i) = hole.friction;
+  columns.at(friction_more, i) = hole.more_at_rest;
+  columns.at(friction_pace, i) = 1.0 / hole.slip_speed;
   set_vector(columns, arc_start, i, hole.arc.start);
   set_vector(columns, arc_tangent, i, hole.arc.tangent);
   set_vector(columns, arc_normal, i, hole.arc.normal);

@@ -54,6 +54,8 @@ struct WellString {
   WallSpring wall;                      ///< of the hole
   UpperEnd upper_end = UpperEnd::free;  ///< what holds it
   Growth growth = Growth::split;        ///< at the table
+  bool hoist_pushes = false;            ///< a hoist that holds both ways; otherwise a line, which goes slack
+  DriveControl control;                 ///< of a drive at the table that gives way; without inertia: a stiff one
   double longest_grown = 0.0;           ///< [m] most pipe that is added
   bool guided = false;                  ///< the lower end is held on the centre line of the hole
   double gauge_radius = 0.0;            ///< [m] of a guided bit that rubs on the hole like a joint; 0: it does not
@@ -68,7 +70,7 @@ struct WellString {
 /// What the rig does in one step.
 struct RigControls {
   double feed_speed = 0.0;   ///< [m/s] of new pipe through the table, downwards
-  double drive_speed = 0.0;  ///< [rad/s] of the drive
+  double drive_speed = 0.0;  ///< [rad/s] of the drive; of one that gives way, the set speed
 };
 
 /// At the table.
@@ -80,6 +82,8 @@ struct TopState {
   double drive_speed = 0.0;   ///< [rad/s] of the last step
   double hook_load = 0.0;     ///< [N] of the hoist on the string, upwards
   double drive_torque = 0.0;  ///< [N m] of the drive on the string, forward
+  double set_angle = 0.0;     ///< [rad] that a drive which gives way is to have turned
+  double set_speed = 0.0;     ///< [rad/s] that it was to have in the last step
 };
 
 /// At the bit.

@@ -1,6 +1,8 @@
 #include "studies/drill/plan.hpp"
 
 #include "runtime/drillstring/drill_run.hpp"
+#include "runtime/well/step.hpp"
+#include "runtime/well/well_modes.hpp"
 
 namespace bitrock::studies {
 
@@ -8,6 +10,14 @@ StringOutlook outlook(const runtime::DrillCase& drill, const runtime::DrillStrin
   return {.modes = runtime::drill_modes(string),
           .forms = runtime::closed_forms(drill),
           .steady = runtime::steadiness(string),
+          .control = string.drive.control,
+          .longest_stable_step = runtime::longest_stable_step(string)};
+}
+
+WellOutlook outlook(const runtime::WellCase& well, const runtime::WellString& string) {
+  return {.beginning = runtime::modes_of(string, 0.0),
+          .drilling = runtime::modes_of(string, well.plan.run_in),
+          .control = string.control,
           .longest_stable_step = runtime::longest_stable_step(string)};
 }
 

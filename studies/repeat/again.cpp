@@ -33,7 +33,7 @@ Again again(const base::Hdf5Reader& file) {
                            ? "--from-discs and the table of its discs, which were packed elsewhere"
                            : ""};
   }
-  if (format == "bitrock-drill") return {.command = "bitrock drill run {}", .besides = ""};
+  if (format == "bitrock-drill" || format == "bitrock-well") return {.command = "bitrock drill run {}", .besides = ""};
   throw base::InputError(
       fmt::format("{}: a file of format '{}' (must be made by cut, specimen or drill run)", file.name(), format));
 }

@@ -34,8 +34,10 @@ double lower_length(const WellCase& well) {
 /// Sets the friction of the lowest section of the hole, and those above in proportion.
 void set_friction(WellCase& well, double friction) {
   const double lowest = well.hole.back().friction;
-  for (runtime::HoleSection& hole : well.hole)
+  for (runtime::HoleSection& hole : well.hole) {
     hole.friction = hole.friction == lowest ? friction : hole.friction * (friction / lowest);
+    hole.resting_friction = 0.0;  // one coefficient a curve
+  }
 }
 
 /// The string of the case cut to a length at its upper end, off bottom. Its lower end rubs as its joints do, also where
@@ -46,6 +48,8 @@ WellString string_of(const Broomstick& broomstick, double length, double frictio
   well.pipes.front().pipe.length = length - lower_length(well);
   WellString string = runtime::assemble(well);
   string.on_rock = false;
+  string.control = {};         // steady: the drive does not give way
+  string.hoist_pushes = true;  // what it would take is told, also where a line could not
   string.growth = runtime::Growth::grow;
   string.longest_grown = 0.0;
   string.gauge_radius = std::max(string.gauge_radius, string.sections.back().contact_radius);

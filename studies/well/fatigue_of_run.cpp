@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "base/csv.hpp"
 #include "base/errors.hpp"
@@ -33,9 +32,11 @@ std::vector<Cycle> cycles_in(std::span<const double> stress) {
   return cycles;
 }
 
-PointDamage damage_of_point(const runtime::StressHistory& point, std::span<const double> stress, double hours,
-                            const FatigueWish& wish) {
-  PointDamage result{.name = point.name, .measured_depth = point.measured_depth};
+}  // namespace
+
+PointDamage damage_of_history(const std::string& name, double measured_depth, std::span<const double> stress,
+                              double hours, const FatigueWish& wish) {
+  PointDamage result{.name = name, .measured_depth = measured_depth};
   for (const double value : stress) result.mean += value / static_cast<double>(stress.size());
   const std::vector<Cycle> cycles = cycles_in(stress);
   for (const Cycle& cycle : cycles) result.largest_range = std::max(result.largest_range, cycle.range);
@@ -45,7 +46,7 @@ PointDamage damage_of_point(const runtime::StressHistory& point, std::span<const
       throw base::SimulationError(
           fmt::format("{} at {:.1f} m: a cycle about {:.0f} MPa (the mean stress alone reaches the tensile strength of "
                       "{:.0f} MPa)",
-                      point.name, point.measured_depth, cycle.mean / base::MPa, wish.tensile_strength / base::MPa));
+                      name, measured_depth, cycle.mean / base::MPa, wish.tensile_strength / base::MPa));
     }
     result.damage_per_hour += cycle.number / cycles_to_failure(wish.curve, range) / hours;
     if (cycle.range > counted_range * result.largest_range) result.cycles_per_hour += cycle.number / hours;
@@ -54,12 +55,7 @@ PointDamage damage_of_point(const runtime::StressHistory& point, std::span<const
   return result;
 }
 
-}  // namespace
-
-std::vector<PointDamage> damage_of(const runtime::StressHistories& run, const FatigueWish& wish,
-                                   const std::string& file) {
-  if (run.points.empty())
-    throw base::InputError(file + ": the run has no stress points (give the case some: [[stress_point]])");
+CountedTime counted_time(const runtime::StressHistories& run, const FatigueWish& wish, const std::string& file) {
   const double from = wish.from < 0.0 ? run.settling : wish.from;
   const auto first = std::lower_bound(run.time.begin(), run.time.end(), from);
   const auto last = std::upper_bound(first, run.time.end(), wish.to);
@@ -69,12 +65,24 @@ std::vector<PointDamage> damage_of(const runtime::StressHistories& run, const Fa
                                        file, count, from, std::min(wish.to, run.time.back()), run.time.back()));
   }
   const auto begin = static_cast<std::size_t>(first - run.time.begin());
-  const double hours = (run.time[begin + count - 1] - run.time[begin]) / seconds_per_hour;
+  return {.begin = begin, .count = count, .hours = (run.time[begin + count - 1] - run.time[begin]) / seconds_per_hour};
+}
+
+std::vector<PointDamage> damage_of(const runtime::StressHistories& run, const FatigueWish& wish,
+                                   const std::string& file) {
+  if (run.points.empty())
+    throw base::InputError(file + ": the run has no stress points (give the case some: [[stress_point]])");
+  const CountedTime time = counted_time(run, wish, file);
   std::vector<PointDamage> damages;
   damages.reserve(run.points.size());
   for (const runtime::StressHistory& point : run.points)
-    damages.push_back(damage_of_point(point, std::span(point.stress).subspan(begin, count), hours, wish));
+    damages.push_back(damage_of_history(point.name, point.measured_depth,
+                                        std::span(point.stress).subspan(time.begin, time.count), time.hours, wish));
   return damages;
+}
+
+FatigueWish usual_fatigue_wish() {
+  return {.curve = *find_sn_curve(usual_sn_curve), .tensile_strength = usual_tensile_strength};
 }
 
 SnCurve read_sn_curve(const std::string& file) {

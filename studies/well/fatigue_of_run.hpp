@@ -3,6 +3,7 @@
 /// S-N curve (fatigue.hpp).
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ struct FatigueWish {
   double to = std::numeric_limits<double>::infinity();  ///< [s]
 };
 
+/// As long as nobody asks for another curve or steel: B1 in air, quoted from memory, and grade E75 (API 5D), the
+/// softest drill pipe.
+inline constexpr const char* usual_sn_curve = "B1 air";
+inline constexpr double usual_tensile_strength = 689e6;  ///< [Pa]
+
+/// The two, after the settling of the case.
+FatigueWish usual_fatigue_wish();
+
 /// One point of the string.
 struct PointDamage {
   std::string name;               ///< of the case
@@ -34,6 +43,18 @@ struct PointDamage {
 /// the time that counts, and `base::SimulationError` when the mean stress alone breaks the steel.
 std::vector<PointDamage> damage_of(const runtime::StressHistories& run, const FatigueWish& wish,
                                    const std::string& file);
+
+/// The samples that count.
+struct CountedTime {
+  std::size_t begin = 0, count = 0;  ///< of the samples of the run
+  double hours = 0.0;                ///< [h] from the first of them to the last
+};
+/// Throws `base::InputError` when there are fewer than 3.
+CountedTime counted_time(const runtime::StressHistories& run, const FatigueWish& wish, const std::string& file);
+
+/// Of one fibre, its stress [Pa] over so many hours.
+PointDamage damage_of_history(const std::string& name, double measured_depth, std::span<const double> stress,
+                              double hours, const FatigueWish& wish);
 
 /// A curve from a table with the columns stress_range_MPa and cycles. Throws `base::InputError`.
 SnCurve read_sn_curve(const std::string& file);

@@ -15,7 +15,8 @@ TEST(DrillBroomstick, WritesTableJsonAndFigure) {
   const scratch::Folder folder("broomstick");
   base::write_whole(folder / "m.csv", "bit_depth_m,run_in_hook_load_kN\n1240,520\n");
   const std::string out = " -o " + (folder / "b.csv").string() + " --figures " + (folder / "f").string() + " --json " +
-                          (folder / "b.json").string() + " --measured " + (folder / "m.csv").string();
+                          (folder / "b.json").string() + " --measured " + (folder / "m.csv").string() + " --report " +
+                          (folder / "b.html").string();
   const auto outcome = run("drill broomstick " + shipped + " --depths-m 1230,1260 --frictions 0.2 --jobs 1" + out);
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_TRUE(has(outcome, "run in kN")) << outcome.text;
@@ -28,6 +29,9 @@ TEST(DrillBroomstick, WritesTableJsonAndFigure) {
   EXPECT_EQ(base::read_whole(folder / "b.csv").substr(0, 61),
             "bit_depth_m,friction,hook_load_N,torque_N_m,steady,operation\n");
   EXPECT_TRUE(std::filesystem::exists(folder / "f" / "broomstick.gp"));
+  const std::string page = base::read_whole(folder / "b.html");
+  EXPECT_NE(page.find("measured running in"), std::string::npos);
+  EXPECT_NE(page.find("<td class=\"number\">1230.0</td><td class=\"number\">0.2</td>"), std::string::npos);
   EXPECT_NE(base::read_whole(folder / "f" / "broomstick.gp").find("set yrange reverse"), std::string::npos);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/csv.hpp"
 #include "tests/end_to_end/program.hpp"
 
 using namespace bitrock;
@@ -76,6 +77,84 @@ TEST(DrillWell, FatigueOfARun) {
   refused((folder / "case.toml").string(), "case.toml");
 }
 
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(DrillWell, IsReportedExportedAndMadeAgain) {
+  const scratch::Folder folder("drill_well_report");
+  base::write_whole(folder / "case.toml", short_case());
+  const std::string file = (folder / "run.h5").string(), page = (folder / "page.html").string(),
+                    vtk = (folder / "vtk").string();
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto reported = run("report " + file + " -o " + page + " --figures " + (folder / "figures").string());
+  ASSERT_EQ(reported.status, 0) << reported.text;
+  const std::string html = base::read_whole(page);
+  for (const char* words :
+       {"deviated well, 300 m tripped in", "id=\"space-1\"", "collar, 20 m behind the bit", "161 along"})
+    EXPECT_TRUE(holds(html, words)) << words;
+  for (const char* figure : {"well_profile", "well_stress", "well_spectra", "well_orbits"})
+    EXPECT_TRUE(base::is_there(folder / "figures" / (std::string(figure) + ".gp"))) << figure;
+  const auto exported = run("export vtk " + file + " -o " + vtk + " --json " + (folder / "v.json").string());
+  ASSERT_EQ(exported.status, 0) << exported.text;
+  EXPECT_EQ(json(folder / "v.json")["frames"], 401);
+  EXPECT_TRUE(base::is_there(folder / "vtk/frames/string_0400.vtp"));
+  // the file holds its case, survey inside: made again, it is the same
+  ASSERT_EQ(run("export config " + file + " -o " + (folder / "again.toml").string()).status, 0);
+  ASSERT_EQ(run("drill run " + (folder / "again.toml").string() + " -o " + (folder / "again.h5").string() + " --json " +
+                (folder / "a.json").string())
+                .status,
+            0);
+  ASSERT_EQ(
+      run("drill run " + (folder / "case.toml").string() + " -o " + file + " --json " + (folder / "b.json").string())
+          .status,
+      0);
+  EXPECT_EQ(json(folder / "a.json")["summary"], json(folder / "b.json")["summary"]);
+  const auto refused = [](const std::string& command, const std::string& words) {
+    const auto said = run(command);
+    EXPECT_EQ(said.status, 2) << said.text;
+    EXPECT_TRUE(holds(said.text, words)) << said.text;
+  };
+  const std::string nothing = (folder / "nothing.h5").string();
+  refused("report " + file + " " + file + " -o " + page, "are one file");
+  refused("report " + file + " " + nothing + " -o " + page, "nothing.h5");
+  base::write_whole(folder / "case.toml", replaced(short_case(), "[well]", "[well]\nframes = 0"));
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  EXPECT_EQ(run("report " + file + " -o " + page).status, 0);
+  EXPECT_FALSE(holds(base::read_whole(page), "id=\"space-1\""));
+  refused("export vtk " + file + " -o " + vtk, "well.frames");
+  base::write_whole(folder / "case.toml", replaced(short_case(), "[well]", "[well]\nframes = -1"));
+  refused("drill run " + (folder / "case.toml").string(), "frames");
+  refused("drill compare " + (folder / "case.toml").string() + " -o " + folder.path().string(), "frames");
+  base::write_whole(folder / "case.toml", short_case());
+  refused("drill compare " + (folder / "case.toml").string() + " -o " + folder.path().string(), "must be 'bit'");
+}
+
+TEST(DrillWell, DamageOverDepth) {
+  const scratch::Folder folder("drill_well_damage");
+  std::string text = replaced(short_case(), "top = \"split\"", "top = \"split\"\nevery_joint = true");
+  text = replaced(text, "inner_diameter_mm = 108.61",
+                  "inner_diameter_mm = 108.61\ncontact_diameter_mm = 168.3\ntool_joint_distance_m = 9.6");
+  base::write_whole(folder / "case.toml", text);
+  const std::string file = (folder / "run.h5").string(), table = (folder / "damage.csv").string();
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto outcome = run("drill fatigue " + file + " -o " + table + " --json " + (folder / "f.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("119 joints"), std::string::npos) << outcome.text;
+  const auto joints = json(folder / "f.json")["every_joint"];
+  ASSERT_EQ(joints.size(), 119u);
+  EXPECT_LT(joints[118]["md_m"].get<double>(), joints[0]["md_m"].get<double>()) << "from the bit up";
+  EXPECT_EQ(joints[0]["bending_magnification"].get<double>(), 1.0) << "collars have no tool joints";
+  const base::CsvTable csv = base::read_csv(table);
+  EXPECT_EQ(csv.rows(), 119u);
+  EXPECT_EQ(csv.column("damage_per_hour")[30], joints[30]["damage_per_hour"].get<double>());
+  base::write_whole(folder / "case.toml", short_case());
+  ASSERT_EQ(run("drill run " + (folder / "case.toml").string() + " -o " + file).status, 0);
+  const auto without = run("drill fatigue " + file + " -o " + table);
+  EXPECT_EQ(without.status, 2);
+  EXPECT_NE(without.text.find("give the case well.every_joint = true"), std::string::npos) << without.text;
+}
+
 TEST(DrillWell, StaticsOfTheShippedCase) {
   const scratch::Folder folder("drill_well_statics");
   const auto outcome = run("drill statics " + shipped + " --json " + (folder / "s.json").string());
@@ -84,6 +163,20 @@ TEST(DrillWell, StaticsOfTheShippedCase) {
   // all vertical at first: the hook carries the weight, 1000 m of pipe, 200 m of collars and the bit
   EXPECT_NEAR(result["hook_load_N"].get<double>(), 530.06e3 + 65.0 * 9.81, 10.0);
   EXPECT_EQ(result["joints"].size(), 119u);
+}
+
+TEST(DrillWell, ModesOfTheShippedCase) {
+  const scratch::Folder folder("drill_well_modes");
+  const auto outcome = run("drill modes " + shipped + " --json " + (folder / "m.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("with the 300 m of the trip"), std::string::npos) << outcome.text;
+  const auto result = json(folder / "m.json");
+  // the bit of 65 kg makes them a little lower than those of 1300 m of pipe and 200 m of collars alone
+  EXPECT_NEAR(result["axial_off_bottom_Hz"][0].get<double>(), .57711, 1e-3);
+  EXPECT_NEAR(result["torsional_Hz"][0].get<double>(), .34534, 1e-3);
+  EXPECT_NEAR(result["at_the_beginning"]["torsional_Hz"][0].get<double>(), .40708, 1e-3);
+  EXPECT_EQ(result["torsional_Hz"].size(), 150u);
+  EXPECT_TRUE(result["top_drive"].is_null());
 }
 
 TEST(DrillWell, WrongOnesEndInWords) {
@@ -98,7 +191,7 @@ TEST(DrillWell, WrongOnesEndInWords) {
   refused("run", replaced(short_case(), "diameter_mm = 215.9", "diameter_mm = 160"), "must be less");
   refused("run", replaced(short_case(), "friction = 0.25", "friction = -1"), "friction");
   refused("statics", base::read_whole(BITROCK_SOURCE_DIR "/campaigns/drill/normal.toml"), "[well]");
-  refused("modes", short_case(), "[well]");
+  refused("map", short_case(), "[well]");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "dem2d/files/specimen_file.hpp"
 #include "runtime/drillstring/drill_file.hpp"
 #include "runtime/drillstring/drill_run.hpp"
+#include "runtime/well/well_file.hpp"
 #include "studies/campaign/forces_file.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/scratch.hpp"
@@ -84,6 +85,39 @@ settling_s = 0.2
   return unsealed([&](const std::string& path) { runtime::write_drill_run(run, drill, "", path); });
 }
 
+std::string well_seed() {
+  const scratch::Folder folder("fuzz_well");
+  base::write_whole(folder / "case.toml", R"(name = "well"
+[well]
+measured_depth_m = [0, 20, 60]
+inclination_deg = [0, 0, 50]
+azimuth_deg = [0, 0, 0]
+frames = 3
+[[hole]]
+to_depth_m = 60
+diameter_mm = 215.9
+friction = 0.2
+[[pipe]]
+length_m = 40
+outer_diameter_mm = 127
+inner_diameter_mm = 108.61
+segment_length_m = 10
+[friction]
+law = "none"
+[run]
+duration_s = 0.2
+step_ms = 0.5
+sample_ms = 10
+settling_s = 0.1
+[[stress_point]]
+name = "middle"
+above_bit_m = 15
+)");
+  const runtime::WellCase well = runtime::read_well_case(folder / "case.toml");
+  const runtime::WellRun run = run_well(well, runtime::assemble(well), runtime::make_source(well.drill, {}));
+  return unsealed([&](const std::string& path) { runtime::write_well_run(run, well, "", path); });
+}
+
 std::string forces_seed() {
   studies::ForcesFile forces{.study = "small.toml", .mean_diameter = 0.5e-3};
   for (int seed = 1; seed < 3; ++seed) {
@@ -136,6 +170,12 @@ std::vector<Target> hdf5_targets() {
              read_as_file(sealed(bytes), "drill.h5", [](const std::string& path) { runtime::read_drill_run(path); });
            },
        .seeds = {drill_seed()}},
+      {.name = "well_h5",
+       .read =
+           [](std::string_view bytes) {
+             read_as_file(sealed(bytes), "well.h5", [](const std::string& path) { runtime::read_well_run(path); });
+           },
+       .seeds = {well_seed()}},
       {.name = "forces_h5",
        .read =
            [](std::string_view bytes) {

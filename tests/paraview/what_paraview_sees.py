@@ -1,4 +1,4 @@
-"""Reads the four series of a VTK folder with ParaView and writes what it saw as JSON. Run by pvpython."""
+"""Reads series of a VTK folder with ParaView and writes what it saw as JSON. Run by pvpython: FOLDER OUTPUT SERIES..."""
 import json
 import sys
 
@@ -18,7 +18,7 @@ def arrays(attributes):
 
 
 result = {}
-for series in ("discs", "joints", "cracks", "cutter"):
+for series in sys.argv[3:]:
     reader = OpenDataFile(f"{folder}/{series}.pvd")
     reader.UpdatePipelineInformation()
     instants = []

@@ -212,6 +212,8 @@ TEST(GnuplotFigure, OnlyThePanelThatAsksForItGoesDownwards) {
   figure.plots.front().y_downwards = true;
   EXPECT_TRUE(has("set yrange reverse\n"));
   EXPECT_TRUE(has("set yrange noreverse\n"));
+  figure.plots.front().y_range = report::AxisRange{1150.0, 1400.0};
+  EXPECT_TRUE(has("set yrange [1400:1150]"));
 }
 
 TEST(GnuplotFigure, ADenseSignalHasAThinPen) {

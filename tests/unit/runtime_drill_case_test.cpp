@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/errors.hpp"
@@ -160,8 +161,53 @@ TEST(DrillCase, ADriveOfTorqueIsALumpOfItsOwn) {
             std::string::npos);
 }
 
+TEST(DrillCase, ADriveThatGivesWayIsALumpOnItsControl) {
+  // 150 m of pipe: impedance 296.4 N m s/rad, and a slowest period of the two lumps with the bit
+  const runtime::DrillString stiff = runtime::assemble(read(pipes));
+  const double period = 1.0 / runtime::drill_modes(stiff).torsional[0];
+  const std::string soft = replaced(pipes, "rotation_rpm = 60", "rotation_rpm = 60\ncontrol = \"soft_torque\"");
+  const runtime::DrillString string = runtime::assemble(read(soft));
+  ASSERT_EQ(string.torsional.size(), 3u);
+  EXPECT_EQ(string.torsional.inertia[0], 2900.0);
+  EXPECT_NEAR(string.torsional.stiffness[0], 2900.0 * std::pow(2.0 * std::numbers::pi / period, 2), 1e-3);
+  EXPECT_NEAR(string.torsional.damping[0], std::sqrt(32.0 * 2900.0 * 296.4 / period), 2.0);
+  EXPECT_EQ(string.torsional.stiffness[1], stiff.torsional.stiffness[0]);
+  const std::string fast = replaced(soft, "\"soft_torque\"", "\"matched\"\nreaction_time_ms = 2");
+  const runtime::DrillString matched = runtime::assemble(read(fast));
+  EXPECT_NEAR(matched.torsional.damping[0], 296.4, 0.1);
+  EXPECT_NEAR(matched.torsional.inertia[0], 0.5928, 1e-3);
+  EXPECT_NEAR(matched.torsional.stiffness[0], 296.4 / (2.0 * period), 1.0);
+  // it turns steadily as the stiff one does, and what its pipe hands on is what it says
+  const runtime::DrillCase drill = read(fast);
+  const runtime::DrillRun run = runtime::run_drill(drill, matched, runtime::make_source(drill, std::nullopt));
+  EXPECT_LT(std::abs(run.summary.energy_residual), 1e-3);
+  EXPECT_NE(run.series.table_rotation_rad_per_s.back(), 60.0 * std::numbers::pi / 30.0) << "it gives way";
+  EXPECT_EQ(runtime::resolved_toml(read(pipes)).find("control"), std::string::npos)
+      << "texts of older cases stay valid";
+  EXPECT_NE(runtime::resolved_toml(drill).find("matched"), std::string::npos);
+  const struct {
+    std::string text, from, to, word;
+  } cases[] = {
+      {soft, "\"soft_torque\"", "\"soft\"", "must be one of 'stiff', 'soft_torque', 'matched'"},
+      {soft, "control = \"soft_torque\"", "control_period_s = 2", "needs control = 'soft_torque' or 'matched'"},
+      {soft, "\"soft_torque\"", "\"soft_torque\"\nreaction_time_ms = 2", "needs control = 'matched'"},
+      {fast, "reaction_time_ms = 2", "inertia_kg_m2 = 20", "which gives reaction_time_ms"},
+      {soft, "control =", "imposes = \"torque\"\ninertia_kg_m2 = 9\ntorque_kN_m = 3\ncontrol =", "must be 'stiff'"},
+      {fast, "reaction_time_ms = 2", "reaction_time_ms = 0", "reaction_time_ms = 0"},
+      {chains, "rotation_rpm = 60", "rotation_rpm = 60\ncontrol = \"matched\"", "control_damping_N_m_s_per_rad where"},
+  };
+  for (const auto& c : cases) {
+    const std::string why = refusal(replaced(c.text, c.from, c.to));
+    EXPECT_NE(why.find(c.word), std::string::npos) << c.to << ": " << why;
+  }
+  const std::string given = replaced(chains, "rotation_rpm = 60",
+                                     "rotation_rpm = 60\ncontrol = \"matched\"\ncontrol_damping_N_m_s_per_rad = 70");
+  EXPECT_EQ(runtime::assemble(read(given)).torsional.damping[0], 70.0);
+}
+
 TEST(DrillCase, ResolvedTextReadsBackTheSame) {
-  for (const std::string& text : {pipes, chains}) {
+  const std::string matched = replaced(pipes, "rotation_rpm = 60", "rotation_rpm = 60\ncontrol = \"matched\"");
+  for (const std::string& text : {pipes, matched, chains}) {
     const runtime::DrillCase first = read(text);
     const std::string once = runtime::resolved_toml(first);
     if (text == chains) {

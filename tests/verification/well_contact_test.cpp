@@ -89,6 +89,97 @@ Climb climb(const PipeSection& pipe) {
           .torque = -radius * total(state, friction_around) / 120.0};
 }
 
+/// The same slider where friction depends on speed, from v0 to rest: time and way, by integration of the closed form
+/// dv/dt = -g mu(v). With d = mu_s - mu_k and a^2 = 1 + d / mu_k,
+///   t = (v0 - d / (mu_k a) v_s atan(v0 / (a v_s))) / (g mu_k),
+///   s = (v0^2 / 2 - d v_s^2 / (2 mu_k) ln(1 + (v0 / (a v_s))^2)) / (g mu_k).
+TEST(WellContact, ASliderSlowsDownByFrictionThatDependsOnSpeed) {
+  const double h = 5e-4, mu_k = 0.2, mu_s = 0.4, vs = 0.2, v0 = 1.0;
+  const double d = mu_s - mu_k, a = std::sqrt(1.0 + d / mu_k);
+  const double time = (v0 - d / (mu_k * a) * vs * std::atan(v0 / (a * vs))) / (gravity * mu_k);
+  const double way =
+      (0.5 * v0 * v0 - 0.5 * d * vs * vs / mu_k * std::log1p(std::pow(v0 / (a * vs), 2))) / (gravity * mu_k);
+  WellString string = lying(drill_pipe(), 12, mu_k);
+  for (HolePiece& piece : string.hole) {
+    piece.more_at_rest = d;
+    piece.slip_speed = vs;
+  }
+  string.sections[0].drag_across = 100.0;
+  WellStringState state = at_rest(string, h);
+  for (std::size_t i = 0; i < state.count; ++i) set_vector(state.columns, velocity, i, {v0, 0.0, 0.0});
+  const double start = vector_at(state.columns, position, 6).x;
+  double stopped = 0.0;
+  while (state.time < 1.0) {
+    advance(string, state, {}, nothing, h);
+    if (stopped == 0.0 && vector_at(state.columns, velocity, 6).x < 1e-3) stopped = state.time;
+  }
+  EXPECT_NEAR(time, 0.4163, 1e-4) << "without the rise .5097 s";
+  EXPECT_NEAR(stopped, time, 0.01);
+  EXPECT_NEAR(vector_at(state.columns, position, 6).x - start, way, 1e-3);
+}
+
+TEST(WellContact, AtRestItHoldsMoreThanWhenItSlips) {
+  // a push that grows: nothing moves until mu_s w L; then mu_k w L is too little to hold it
+  const double h = 5e-4, mu_k = 0.2, mu_s = 0.4;
+  WellString string = lying(drill_pipe(), 12, mu_k);
+  for (HolePiece& piece : string.hole) {
+    piece.more_at_rest = mu_s - mu_k;
+    piece.slip_speed = 0.01;
+  }
+  string.sections[0].drag_across = 100.0;
+  WellStringState state = at_rest(string, h);
+  const double limit = mu_s * 120.0 * string.sections[0].weight;
+  double broke = 0.0;
+  while (state.time < 10.0 && broke == 0.0) {
+    string.tip_force = {0.12 * limit * state.time, 0.0, 0.0};
+    advance(string, state, {}, nothing, h);
+    if (vector_at(state.columns, velocity, 11).x > 1e-2) broke = string.tip_force.x;  // the other end has come along
+  }
+  EXPECT_NEAR(broke, limit, 0.02 * limit);
+  const double mass = 120.0 * string.sections[0].beam.mass, from = state.time;
+  string.tip_force = {limit, 0.0, 0.0};
+  const double before = vector_at(state.columns, velocity, 6).x;
+  while (state.time < from + 0.5) advance(string, state, {}, nothing, h);
+  const double slides = (limit - mu_k * 120.0 * string.sections[0].weight) / mass;
+  EXPECT_NEAR(vector_at(state.columns, velocity, 6).x - before, 0.5 * slides, 0.05 * slides);
+}
+
+TEST(WellContact, TheWallBearsWhatWhirlsRoundIt) {
+  // collars in bars of 2 m roll backwards along the wall, stiff enough not to bend where they end: all joints together
+  // bear the sum of m r w^2, each bar's mass on the orbit of its middle; bending shares it out among them
+  const double h = 4e-5, spin = 60.0 * rpm;
+  const int bars = 20;
+  StringSection collar = section(drill_collar(), 2.0 * bars, bars);
+  collar.weight = 0.0;
+  WellString string{.sections = {collar}, .hole = straight_hole(0.0, 100.0, 0.2159, 0.3)};
+  string.damping.bending = 2e-4;
+  const double room = string.hole[0].radius - collar.contact_radius, rolling = -spin * collar.contact_radius / room;
+  WellStringState state = unloaded(string, {room, 0.0, 5.0}, rotation_to({0.0, 0.0, 1.0}));
+  for (std::size_t i = 0; i < state.count; ++i) {
+    if (i + 1 < state.count) renew_piece(string, state.columns, i);
+    const double inertia = 1.0 / (state.columns.at(inverse_inertia, i) + state.columns.at(inverse_inertia_along, i));
+    set_vector(state.columns, momentum, i, (inertia * spin) * vector_at(state.columns, direction, i));
+    set_vector(state.columns, velocity, i, {0.0, rolling * room, 0.0});
+    renew_derived(state.columns, state.columns.place_of(i));
+  }
+  double all = 0.0, needed = 0.0, samples = 0.0;
+  while (state.time < 1.0) {
+    advance(string, state, {}, nothing, h);
+    if (state.time < 0.5) continue;
+    all += total(state, wall_force);
+    for (std::size_t i = 0; i < state.count; ++i) {
+      const Vector3 at = vector_at(state.columns, position, i), v = vector_at(state.columns, velocity, i);
+      const double r = std::hypot(at.x, at.y), w = (at.x * v.y - at.y * v.x) / (r * r);
+      needed += 2.0 * collar.beam.mass * r * w * w;
+    }
+    samples += 1.0;
+  }
+  const double bar = needed / samples / bars, pure = 2.0 * collar.beam.mass * room * rolling * rolling;
+  EXPECT_NEAR(pure / 2.0 * 10.0, 14.5e3, 0.1e3) << "10 m at 60 rpm";
+  EXPECT_NEAR(bar, pure, 0.03 * pure) << "it loses some speed when it is first pressed against the wall";
+  EXPECT_NEAR(all / samples, bars * bar, 2e-3 * bars * bar);
+}
+
 TEST(WellContact, APipeThatTurnsClimbsTheWall) {
   // it rests at psi = atan mu = 14.036 degrees from the low side, N = w cos psi, torque w r mu / sqrt(1 + mu^2)
   const Climb pipe = climb(drill_pipe()), collar = climb(drill_collar());

@@ -102,6 +102,59 @@ RigControls controls_of(double time) {
           .drive_speed = 60.0 * rpm * step5(time, 0.0, 0.0, 4.0, 1.0)};
 }
 
+TEST(WellInvariants, ASlackLineHoldsNothing) {
+  // 60 m of collars are set down on rock, and fed 50 mm on: the rock bears all their weight and the hook nothing.
+  // Pulled up again, it is the other way round
+  WellString string{.sections = {section(drill_collar(), 60.0, 6)},
+                    .hole = straight_hole(0.0, 300.0, 0.2159, 0.0),
+                    .upper_end = UpperEnd::table,
+                    .guided = true,
+                    .on_rock = true};
+  string.longest_grown = 20.0;
+  string.bit.advance_law = AdvanceLaw::none;
+  string.damping.axial = 5e-3;  // so that it settles soon
+  WellStringState state = hung_in_hole(string);
+  state.bit.face = state.bit.depth + 0.01;
+  const double short_step = 1e-4, initial = stored_energy(string, state, short_step).total();
+  const auto go_on = [&](double to, double speed) {
+    double least = 1e9;
+    while (state.time < to) {
+      advance(string, state, {.feed_speed = speed}, nothing, short_step);
+      least = std::min(least, state.top.hook_load);
+    }
+    return least;
+  };
+  const double weight = weight_of(state);
+  EXPECT_EQ(go_on(3.0, 0.02), 0.0);
+  EXPECT_EQ(go_on(8.0, 0.0), 0.0);
+  EXPECT_EQ(state.top.hook_load, 0.0);
+  EXPECT_NEAR(state.bit.weight_on_bit, weight, 1e-3 * weight);
+  EXPECT_LT(std::abs(energy_residual(string, state, initial, short_step)), 1e-2 * weight * 0.06);
+  go_on(12.0, -0.02);
+  go_on(17.0, 0.0);
+  EXPECT_EQ(state.bit.weight_on_bit, 0.0);
+  EXPECT_NEAR(state.top.hook_load, weight, 2e-3 * weight);
+}
+
+TEST(WellInvariants, ADriveThatGivesWayKeepsTheLedger) {
+  Drilling it = drilling();
+  it.string.control = soft_torque(2900.0, 296.4, 2.0);
+  WellStringState state = hung_in_hole(it.string);
+  relax(it.string, state, h);
+  state.bit.face = state.bit.depth + 0.05;
+  const double initial = stored_energy(it.string, state, h).total();
+  double turned = 0.0;
+  while (state.time < 40.0) {
+    const RigControls now = controls_of(state.time);
+    advance(it.string, state, now, it.source, h);
+    turned += h * now.drive_speed;
+  }
+  EXPECT_NEAR(state.top.set_angle, turned, 1e-9 * turned);
+  EXPECT_NE(state.top.drive_speed, state.top.set_speed) << "it gives way";
+  EXPECT_NEAR(state.top.drive_angle, turned, 5.0) << "and comes back";
+  EXPECT_LT(std::abs(energy_residual(it.string, state, initial, h)), 1e-3 * friction_work_of(state));
+}
+
 TEST(WellInvariants, ForcesAndEnergyWhileDrillingAreInBalance) {
   const Drilling it = drilling();
   WellStringState state = hung_in_hole(it.string);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/well/well_modes.hpp"
 #include "tests/verification/well_fixtures.hpp"
 
 using namespace well_test;
@@ -232,6 +233,44 @@ TEST(WellMotion, FrequenciesOfAChainAreThoseOfItsFormula) {
       EXPECT_NEAR(2.0 * pi * zeros.frequency(), 2.0 / h * std::asin(0.5 * w * h), 1e-5 * w) << k << torsion;
     }
   }
+}
+
+TEST(WellMotion, NaturalFrequenciesOfTheChain) {
+  // of N equal bars: below a wall w_k = 2 sqrt(K/m) sin((2k - 1) pi / 4N), free 2 sqrt(K/m) sin((k - 1) pi / 2N)
+  const int n = 7;
+  for (const bool held : {true, false}) {
+    const WellString string{.sections = {bare(100.0, n, n)}, .upper_end = held ? UpperEnd::clamped : UpperEnd::free};
+    const DrillModes modes = modes_of(string, 0.0);
+    ASSERT_EQ(modes.torsional.size(), 7u);
+    EXPECT_TRUE(modes.axial.empty()) << "no rock";
+    for (int k = 1; k <= n; ++k) {
+      const double sine = std::sin((held ? 2 * k - 1 : 2 * k - 2) * pi / (4.0 * n)), axial = 2.0 * std::sqrt(100.0);
+      EXPECT_NEAR(2.0 * pi * modes.axial_off_bottom[static_cast<std::size_t>(k - 1)], axial * sine, 1e-6) << k;
+      EXPECT_NEAR(2.0 * pi * modes.torsional[static_cast<std::size_t>(k - 1)], axial * sine, 1e-6) << k;
+    }
+  }
+}
+
+TEST(WellMotion, NaturalFrequenciesOfAStringAtATable) {
+  // pipe over 200 m of collars: of the two-piece bar, solved apart; bars of 10 m are lower by (w h / c)^2 / 24
+  WellString string{.sections = {section(drill_pipe(), 1000.0, 100), section(drill_collar(), 200.0, 20)},
+                    .upper_end = UpperEnd::table};
+  const DrillModes begin = modes_of(string, 0.0), later = modes_of(string, 300.0);
+  const double axial[] = {.68306, 2.71573, 5.09557}, torsional[] = {.40708, 1.69521, 3.20453};
+  const double axial_later[] = {.57711, 2.13934, 3.96222}, torsional_later[] = {.34534, 1.33234, 2.48838};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(begin.axial_off_bottom[k], axial[k], 2e-5 * (k == 0 ? 1.0 : 0.5)) << k;
+    EXPECT_NEAR(begin.torsional[k], torsional[k], 2e-5 * (k == 0 ? 1.0 : 0.5)) << k;
+    EXPECT_NEAR(later.axial_off_bottom[k], axial_later[k], 2e-4 * axial_later[k]) << k;
+    EXPECT_NEAR(later.torsional[k], torsional_later[k], 4e-4 * torsional_later[k]) << k;
+  }
+  EXPECT_EQ(later.torsional.size(), 150u);
+  // one bar that has grown to 310 m passes less: it is one mass in its middle
+  string.growth = Growth::grow;
+  const DrillModes grown = modes_of(string, 300.0);
+  EXPECT_EQ(grown.torsional.size(), 120u);
+  EXPECT_NEAR(grown.torsional[0], .34534, 5e-3);
+  EXPECT_LT(grown.torsional[2], later.torsional[2]);
 }
 
 /// A string between table and guide in a straight vertical hole, without weight: pinned at both ends.

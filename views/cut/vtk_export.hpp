@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dem2d/files/run_file.hpp"
-#include "views/cut/vtk_file.hpp"
+#include "views/vtk/vtk_file.hpp"
 
 namespace bitrock::views {
 

@@ -3,21 +3,14 @@
 /// files.
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "base/hdf5_file.hpp"
 #include "base/progress.hpp"
 #include "dem2d/files/run_file.hpp"
+#include "views/vtk/vtk_writer.hpp"
 
 namespace bitrock::views {
-
-/// One of the things shown, over time.
-struct VtkSeries {
-  std::string name;                ///< "discs", "joints", "cracks", "cutter"
-  std::filesystem::path list;      ///< the PVD file
-  std::vector<std::size_t> cells;  ///< at each instant
-};
 
 /// Frames of an earlier export leave the folder. `stored` is the file of `run`. All files, or none.
 std::vector<VtkSeries> write_vtk_series(const base::Hdf5Reader& stored, const dem2d::RunFile& run,

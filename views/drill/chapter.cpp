@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <functional>
-#include <span>
 
 #include "base/units.hpp"
 
 #include "views/drill/chapter.hpp"
+#include "views/drill/run_page.hpp"
+#include "views/text/source_words.hpp"
 
 namespace bitrock::views {
 
@@ -16,37 +16,7 @@ namespace {
 
 using base::kN, base::m_per_h, base::mm, base::rpm;
 
-using Cell = std::function<std::string(const ShownRun&)>;
-
-struct Row {
-  std::string name;
-  Cell cell;
-};
-
-report::Table table_of(const std::vector<ShownRun>& runs, const std::string& caption, const std::vector<Row>& rows) {
-  report::Table table{.caption = caption, .header = {""}};
-  for (const ShownRun& run : runs) table.header.push_back(run.label);
-  for (const Row& row : rows) {
-    std::vector<std::string> cells{row.name};
-    for (const ShownRun& run : runs) cells.push_back(row.cell(run));
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
-}
-
-std::string source_words(const runtime::DrillFile& file) {
-  switch (file.drill.source.kind) {
-    case runtime::SourceKind::none:
-      return "none";
-    case runtime::SourceKind::sinusoidal:
-      return fmt::format("sinusoid, {:g} waves a turn", file.drill.source.waves_per_turn);
-    case runtime::SourceKind::noise:
-      return "noise";
-    case runtime::SourceKind::bit:
-      break;
-  }
-  return fmt::format("networks (model {})", file.model.substr(0, 8));
-}
+using Row = RunRow<ShownRun>;
 
 std::string drive_words(const runtime::TopDrive& drive) {
   return drive.imposes_speed ? fmt::format("{:.4g} rpm", drive.rotation / rpm)
@@ -72,14 +42,14 @@ std::string share(double value) {
 }
 
 report::Table case_table(const std::vector<ShownRun>& runs) {
-  return table_of(
+  return table_of<ShownRun>(
       runs, "What was run. The first seconds, while it settles, are in the plots over time only.",
       {{"case", [](const ShownRun& run) { return run.file.drill.name; }},
        {"rock", [](const ShownRun& run) { return run.file.drill.rock.empty() ? "-" : run.file.drill.rock; }},
        {"top drive", [](const ShownRun& run) { return drive_words(run.file.drill.drive); }},
        {"hook load [kN]",
         [](const ShownRun& run) { return fmt::format("{:.4g}", run.file.drill.drive.hook_load / kN); }},
-       {"excitation", [](const ShownRun& run) { return source_words(run.file); }},
+       {"excitation", [](const ShownRun& run) { return source_words(run.file.drill.source, run.file.model); }},
        {"run, settling [s]",
         [](const ShownRun& run) {
           return fmt::format("{:g}, {:g}", run.file.drill.run.duration, run.file.drill.run.settling);
@@ -151,7 +121,7 @@ report::Table summary_table(const std::vector<ShownRun>& runs) {
   rows.push_back({"\u2003rake outside what the networks have learnt [% of questions]",
                   outside(&Clamps::rake_below, &Clamps::rake_above)});
   rows.push_back({"energy lost by the solver [%]", percent(&Summary::energy_residual)});
-  return table_of(
+  return table_of<ShownRun>(
       runs,
       "What came out, over all steps after settling: mean \u00b1 standard deviation. Severity: (highest - lowest) / "
       "(2 mean) of the bit's speed, 1 where it just comes to rest. At rest: slower than 1 rpm. Off bottom: no weight "
@@ -181,28 +151,6 @@ void add_clamp_notes(report::Page& page, const std::vector<ShownRun>& runs) {
         "{}: the networks were asked {} times, some of them outside their training range ({}). There the answer is "
         "that of the nearest edge.",
         run.label, clamps.asked, said));
-  }
-}
-
-/// "WOB [kN], ROP [m/h] over time [s]."
-std::string axes_of(std::span<const report::Plot> row) {
-  std::vector<std::string> labels;
-  for (const report::Plot& plot : row) {
-    if (std::find(labels.begin(), labels.end(), plot.y_label) == labels.end()) labels.push_back(plot.y_label);
-  }
-  return fmt::format("{} over {}.", fmt::join(labels, ", "), row.front().x_label);
-}
-
-/// A row of the figure is a row of the page, or a plot of its own width.
-void add_figure(report::Page& page, const report::Figure& figure) {
-  if (figure.columns == 1) {
-    for (const report::Plot& plot : figure.plots) page.plot(plot);
-    return;
-  }
-  const auto columns = static_cast<std::size_t>(figure.columns);
-  for (std::size_t first = 0; first < figure.plots.size(); first += columns) {
-    const auto row = std::span(figure.plots).subspan(first, std::min(columns, figure.plots.size() - first));
-    page.plots_in_row({row.begin(), row.end()}, axes_of(row));
   }
 }
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/spectrum.hpp"
 #include "report/gnuplot.hpp"
 #include "runtime/drillstring/drill_file.hpp"
+#include "views/drill/panels.hpp"
 
 namespace bitrock::views {
 
@@ -19,9 +19,6 @@ struct ShownRun {
   base::Spectrum weight_on_bit;  ///< [kN^2/Hz]
   base::Spectrum torque;         ///< [(N m)^2/Hz]
 };
-
-/// More would not be told apart: the colours of [OkabeIto2008] that are drawn on white.
-inline constexpr std::size_t most_shown_runs = 6;
 
 /// Labels are the names of the files without folder and ending, or whole where two are the same. The spectra of all
 /// runs have the same resolution, that of a sixth of the shortest: eleven half-overlapping segments of it.

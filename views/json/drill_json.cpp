@@ -20,6 +20,13 @@ nlohmann::json forms_json(const std::optional<runtime::ClosedForms>& forms) {
           {"equal_lumps_Hz", forms->equal_lumps}};
 }
 
+nlohmann::json control_json(const runtime::DriveControl& control) {
+  if (control.inertia == 0.0) return nullptr;
+  return {{"inertia_kg_m2", control.inertia},
+          {"stiffness_N_m_per_rad", control.stiffness},
+          {"damping_N_m_s_per_rad", control.damping}};
+}
+
 nlohmann::json steady_json(const std::optional<runtime::Steadiness>& steady) {
   if (!steady) return nullptr;
   return {{"equivalent_damping_N_m_s_per_rad", steady->damping},
@@ -65,6 +72,19 @@ nlohmann::json as_json(const studies::StringOutlook& outlook) {
           {"torsional_Hz", outlook.modes.torsional},
           {"closed_forms", forms_json(outlook.forms)},
           {"steady_rotation", steady_json(outlook.steady)},
+          {"top_drive", control_json(outlook.control)},
+          {"longest_stable_step_s", outlook.longest_stable_step}};
+}
+
+nlohmann::json as_json(const studies::WellOutlook& outlook) {
+  return {{"axial_Hz", outlook.drilling.axial},
+          {"axial_off_bottom_Hz", outlook.drilling.axial_off_bottom},
+          {"torsional_Hz", outlook.drilling.torsional},
+          {"at_the_beginning",
+           {{"axial_Hz", outlook.beginning.axial},
+            {"axial_off_bottom_Hz", outlook.beginning.axial_off_bottom},
+            {"torsional_Hz", outlook.beginning.torsional}}},
+          {"top_drive", control_json(outlook.control)},
           {"longest_stable_step_s", outlook.longest_stable_step}};
 }
 

@@ -16,6 +16,8 @@ nlohmann::json as_json(const runtime::DrillCase& drill, const runtime::DrillRun&
 
 /// Natural frequencies; those of the pipe alone and the steadiness are null where they are not known.
 nlohmann::json as_json(const studies::StringOutlook& outlook);
+/// Natural frequencies of a string in a well as it drills, and as it begins.
+nlohmann::json as_json(const studies::WellOutlook& outlook);
 
 /// What a run of the case will be.
 nlohmann::json as_json(const runtime::DrillCase& drill, const studies::DrillPlan& plan);

@@ -3,10 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "studies/well/fatigue_of_run.hpp"
+#include "studies/well/fatigue_of_joints.hpp"
 
 namespace bitrock::views {
 
-nlohmann::json as_json(const studies::FatigueWish& wish, const std::vector<studies::PointDamage>& damages);
+nlohmann::json as_json(const studies::FatigueWish& wish, const std::vector<studies::PointDamage>& points,
+                       const std::vector<studies::JointDamage>& joints);
 
 }  // namespace bitrock::views

@@ -16,6 +16,21 @@ std::string listed(const std::vector<double>& frequencies) {
   return frequencies.size() > 6 ? text + ", ..." : text;
 }
 
+std::string lines_of(const runtime::DrillModes& modes) {
+  std::string lines;
+  if (!modes.axial.empty()) lines += fmt::format("axial, bit on rock:   {} Hz\n", listed(modes.axial));
+  if (!modes.axial_off_bottom.empty())
+    lines += fmt::format("axial, bit off bottom: {} Hz\n", listed(modes.axial_off_bottom));
+  return lines + fmt::format("torsional, bit free:  {} Hz\n", listed(modes.torsional));
+}
+
+/// What a top drive that gives way is tuned to.
+std::string control_line(const runtime::DriveControl& control) {
+  if (control.inertia == 0.0) return "";
+  return fmt::format("the top drive gives way: {:.4g} kg m2 on {:.4g} N m/rad and {:.4g} N m s/rad\n", control.inertia,
+                     control.stiffness, control.damping);
+}
+
 double steps_of(const runtime::DrillSchedule& run) {
   return run.duration / runtime::step_of(run);
 }
@@ -23,13 +38,7 @@ double steps_of(const runtime::DrillSchedule& run) {
 }  // namespace
 
 std::string modes_lines(const runtime::DrillCase& drill, const studies::StringOutlook& outlook) {
-  std::string lines = drill.name + "\n";
-  const runtime::DrillModes& modes = outlook.modes;
-  if (!modes.axial.empty()) {
-    lines += fmt::format("axial, bit on rock:   {} Hz\naxial, bit off bottom: {} Hz\n", listed(modes.axial),
-                         listed(modes.axial_off_bottom));
-  }
-  lines += fmt::format("torsional, bit free:  {} Hz\n", listed(modes.torsional));
+  std::string lines = drill.name + "\n" + lines_of(outlook.modes) + control_line(outlook.control);
   if (outlook.forms) {
     lines += fmt::format(
         "closed forms for the pipe alone: continuous, free at the bit: axial {:.4g}, torsional {:.4g} Hz; equal "
@@ -43,6 +52,14 @@ std::string modes_lines(const runtime::DrillCase& drill, const studies::StringOu
         drill.drive.rotation / base::rpm, demand, damping, demand < damping ? "stable" : "not stable");
   }
   return lines;
+}
+
+std::string modes_lines(const runtime::WellCase& well, const studies::WellOutlook& outlook) {
+  std::string lines = fmt::format("{}, hanging free of the wall\nat the beginning\n", well.drill.name);
+  lines += lines_of(outlook.beginning);
+  if (well.plan.run_in > 0.0)
+    lines += fmt::format("with the {:g} m of the trip\n", well.plan.run_in) + lines_of(outlook.drilling);
+  return lines + control_line(outlook.control);
 }
 
 std::string plan_line(const runtime::DrillCase& drill, const studies::DrillPlan& plan) {

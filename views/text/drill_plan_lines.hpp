@@ -11,6 +11,8 @@ namespace bitrock::views {
 
 /// Natural frequencies, those known in closed form, and whether the string turns steadily.
 std::string modes_lines(const runtime::DrillCase& drill, const studies::StringOutlook& outlook);
+/// Of a string in a well, without wall and mud.
+std::string modes_lines(const runtime::WellCase& well, const studies::WellOutlook& outlook);
 
 /// Weight on bit, step, and how many steps and rows the run has.
 std::string plan_line(const runtime::DrillCase& drill, const studies::DrillPlan& plan);

@@ -25,7 +25,7 @@ struct VtkIntegers {
 enum class VtkCells { vertices, lines, polygons };
 
 struct VtkPolyData {
-  std::vector<double> x, y;  ///< of the points; z is 0 [m]
+  std::vector<double> x, y, z;  ///< of the points [m]; z empty: 0
   VtkCells cells = VtkCells::vertices;
   std::vector<int> connectivity;  ///< points of all cells, one cell after the other
   std::vector<int> offsets;       ///< for each cell, entries of `connectivity` up to its end

@@ -1,4 +1,4 @@
-#include "views/cut/vtk_file.hpp"
+#include "views/vtk/vtk_file.hpp"
 
 #include <fmt/format.h>
 
@@ -73,7 +73,8 @@ void add_values(Sections& sections, const std::string& element, const std::vecto
 std::string vtp_text(const VtkPolyData& data) {
   std::vector<double> points;
   points.reserve(3 * data.x.size());
-  for (std::size_t i = 0; i < data.x.size(); ++i) points.insert(points.end(), {data.x[i], data.y[i], 0.0});
+  for (std::size_t i = 0; i < data.x.size(); ++i)
+    points.insert(points.end(), {data.x[i], data.y[i], data.z.empty() ? 0.0 : data.z[i]});
 
   Sections sections;
   add_values(sections, "PointData", data.point_arrays, data.point_integers);
