@@ -83,6 +83,7 @@ void write_joints(const std::vector<JointHistory>& joints, base::Hdf5Writer& fil
   if (joints.empty()) return;
   for (const JointNumber& number : joint_numbers) {
     std::vector<double> list;
+    list.reserve(joints.size());
     for (const JointHistory& joint : joints) list.push_back(joint.*number.value);
     file.array(number.path, list, number.units, number.meaning);
   }
