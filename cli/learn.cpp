@@ -57,7 +57,7 @@ studies::LearnRequest request_of(const Options& options) {
       .batch = options.batch,
       .seed = options.seed};
   request.like.common.rock = dem2d::read_rock(rock);
-  studies::for_each_job(request.like, [&options](const studies::Job& job) {
+  studies::for_each_job(request.like, [&](const studies::Job& job) {
     dem2d::check_cut_case(job.cut, fmt::format("{} with {}: case {}", options.study, rock, job.case_number));
   });
   warn(options.common, studies::warnings(request.like));

@@ -80,11 +80,18 @@ void pass(Io& io, Chain& chain) {
   pass_all(io, inertia, stiffness, damping, wall_damping);
 }
 
+/// All of a `DriveControl`.
+template <class Io>
+void pass(Io& io, DriveControl& control) {
+  auto& [inertia, damping, stiffness] = control;
+  pass_all(io, inertia, damping, stiffness);
+}
+
 /// All of a `TopDrive`.
 template <class Io>
 void pass(Io& io, TopDrive& drive) {
-  auto& [speed, rotation, torque, ramp, hook_load, since, angle_then, rotation_then, torque_then] = drive;
-  pass_all(io, speed, rotation, torque, ramp, hook_load, since, angle_then, rotation_then, torque_then);
+  auto& [speed, rotation, torque, ramp, hook_load, since, angle_then, rotation_then, torque_then, control] = drive;
+  pass_all(io, speed, rotation, torque, ramp, hook_load, since, angle_then, rotation_then, torque_then, control);
 }
 
 /// All of a `DrillString`.
@@ -150,33 +157,43 @@ void pass(Io& io, WellArc& arc) {
 /// All of a `HolePiece`.
 template <class Io>
 void pass(Io& io, HolePiece& piece) {
-  auto& [arc, radius, friction, end_tangent, end_reach] = piece;
-  pass_all(io, arc, radius, friction, end_tangent, end_reach);
+  auto& [arc, radius, friction, more_at_rest, slip_speed, end_tangent, end_reach] = piece;
+  pass_all(io, arc, radius, friction, more_at_rest, slip_speed, end_tangent, end_reach);
 }
 
 /// All of a `WellString`.
 template <class Io>
 void pass(Io& io, WellString& string) {
-  auto& [sections, damping, hole, wall, upper_end, growth, longest_grown, guided, gauge, on_rock, bit, bit_mass,
-         bit_inertia, tip_force, tip_moment, plain] = string;
+  auto& [sections, damping, hole, wall, upper_end, growth, pushes, control, longest_grown, guided, gauge, on_rock, bit,
+         bit_mass, bit_inertia, tip_force, tip_moment, plain] = string;
   auto& [axial, shear, torsion, bending] = damping;
   auto& [stiffness, of_wall] = wall;
-  pass_all(io, sections, axial, shear, torsion, bending, hole, stiffness, of_wall, upper_end, growth, longest_grown);
+  pass_all(io, sections, axial, shear, torsion, bending, hole, stiffness, of_wall, upper_end, growth, pushes, control,
+           longest_grown);
   pass_all(io, guided, gauge, on_rock, bit, bit_mass, bit_inertia, tip_force, tip_moment, plain);
+}
+
+/// All of an `Autodriller`.
+template <class Io>
+void pass(Io& io, Autodriller& driller) {
+  auto& [proportional, integral, fastest] = driller;
+  pass_all(io, proportional, integral, fastest);
 }
 
 /// All of a `RigPlan`.
 template <class Io>
 void pass(Io& io, RigPlan& plan) {
-  auto& [run_in, run_in_speed, ramp, rotation, rotation_ramp, weight, slack_off, drilling] = plan;
+  auto& [run_in, run_in_speed, ramp, rotation, rotation_ramp, weight, slack_off, drilling, holds, autodriller,
+         pipe_weight] = plan;
   pass_all(io, run_in, run_in_speed, ramp, rotation, rotation_ramp, weight, slack_off, drilling);
+  pass_all(io, holds, autodriller, pipe_weight);
 }
 
 /// All of a `RigState`.
 template <class Io>
 void pass(Io& io, RigState& rig) {
-  auto& [phase, began, felt] = rig;
-  pass_all(io, phase, began, felt);
+  auto& [phase, began, felt, hook, off_bottom, fed, drift] = rig;
+  pass_all(io, phase, began, felt, hook, off_bottom, fed, drift);
 }
 
 /// Its name is not passed: only people ask for it.
@@ -189,8 +206,8 @@ void pass(Io& io, StressPoint& point) {
 /// All of a `TopState`.
 template <class Io>
 void pass(Io& io, TopState& top) {
-  auto& [length, fed, reference, angle, speed, hook_load, torque] = top;
-  pass_all(io, length, fed, reference, angle, speed, hook_load, torque);
+  auto& [length, fed, reference, angle, speed, hook_load, torque, set_angle, set_speed] = top;
+  pass_all(io, length, fed, reference, angle, speed, hook_load, torque, set_angle, set_speed);
 }
 
 /// All of a `BitState`.

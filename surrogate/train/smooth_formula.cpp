@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -157,7 +158,8 @@ double unseen_error(const Fit& fit, std::size_t output, const Eigen::VectorXd& c
       weighted.householderQr().householderQ() * Eigen::MatrixXd::Identity(weighted.rows(), weighted.cols());
   constexpr double least_rest = 1e-3;  // of a case that alone decides a term
   const Eigen::ArrayXd rest = (1.0 - basis.rowwise().squaredNorm().array()).max(least_rest);
-  return (residual.array() / rest).square().sum();
+  const double sum = (residual.array() / rest).square().sum();
+  return std::isfinite(sum) ? sum : std::numeric_limits<double>::max();
 }
 
 Eigen::VectorXd fitted(const Fit& fit, std::size_t output) {
@@ -176,8 +178,12 @@ Eigen::VectorXd fitted(const Fit& fit, std::size_t output) {
 
 SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const LearntFurther> further, int degree) {
   if (rows.size() < 2) throw base::InputError("a formula needs two cases or more");
-  SmoothFormula formula{
-      .further = {further.begin(), further.end()}, .scales = {}, .powers = {}, .coefficients = {}, .degree = degree};
+  SmoothFormula formula{.further = {further.begin(), further.end()},
+                        .scales = {},
+                        .powers = {},
+                        .coefficients = {},
+                        .degree = degree,
+                        .most = {}};
   take_scales(rows, formula);
   const std::vector<int> highest = highest_powers(rows, further);
   formula.powers = powers_of(highest, formula.degree);
@@ -195,6 +201,7 @@ SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const Lea
       fit.y(i) = row.outputs[output];
       fit.weight(i) = row.cuts * (is_count(output) ? row.cut_length : 1.0);
     }
+    formula.most.push_back(most_beyond * fit.y.maxCoeff());
     if (fit.y.cwiseAbs().maxCoeff() == 0.0) {
       formula.coefficients.emplace_back();
       formula.unseen_errors.push_back(0.0);
@@ -215,7 +222,7 @@ SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const Lea
     SmoothFormula other = fit_formula(rows, further, degree);
     double sum = 0.0;
     for (std::size_t o = 0; o < first.size(); ++o) sum += first[o] > 0.0 ? other.unseen_errors[o] / first[o] : 1.0;
-    if (other.degree < degree || sum >= least) continue;
+    if (other.degree < degree || !(sum < least)) continue;
     least = sum;
     best = std::move(other);
   }
@@ -229,7 +236,8 @@ Outputs predict(const SmoothFormula& formula, const TrainingRow& conditions) {
     const std::vector<double>& coefficients = formula.coefficients[output];
     if (coefficients.empty()) continue;  // 0 in all rows
     const double sum = std::inner_product(coefficients.begin(), coefficients.end(), terms.begin(), 0.0);
-    outputs[output] = is_correlation(output) ? std::clamp(sum, 0.0, 1.0) : std::exp(sum);
+    outputs[output] =
+        is_correlation(output) ? std::clamp(sum, 0.0, 1.0) : std::min(std::exp(sum), formula.most[output]);
   }
   return outputs;
 }

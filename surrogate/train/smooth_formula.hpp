@@ -13,7 +13,7 @@
 ///     sum_i n_i (y_i / mu_i + ln mu_i),   sum_i n_i L_i (mu_i - y_i ln mu_i),   sum_i n_i (y_i - mu_i)^2 (correlation)
 ///
 /// **Symbols** y_i mean over the n_i cuts of case i, mu_i what the formula says, L_i length of cut [m].
-/// **Source** [McCullaghNelder1989] for likelihood and leverage; the terms: docs/decisions/0020.
+/// **Source** [McCullaghNelder1989] for likelihood and leverage; the terms: docs/decisions/0021.
 /// Of the degrees, the one whose answers for cases it has not seen are the best is taken: the least sum over outputs o
 /// and cases of (y_i - mu_i)^2 / (V_i (1 - h_i)^2) over the same for degree 1, h_i the leverage of case i in the last
 /// step of the iteration and V_i the variance of its mean.
@@ -31,6 +31,10 @@ namespace bitrock::surrogate {
 /// The highest degree that is looked at.
 inline constexpr int highest_degree = 3;
 
+/// In a corner where no case lies, coefficients that few and noisy cases gave can lead anywhere: an output is cut off
+/// at so many times the highest that was seen.
+inline constexpr double most_beyond = 10.0;
+
 /// A formula that was fitted.
 struct SmoothFormula {
   /// t = (x - centre) / half_width, x the logarithm of the depth or another input in the unit of its column.
@@ -43,6 +47,8 @@ struct SmoothFormula {
   std::vector<std::vector<int>> powers;           ///< one list a term, in the order of `scales`
   std::vector<std::vector<double>> coefficients;  ///< one list an output, one number a term
   int degree = 0;                                 ///< of the terms
+  /// For each output the most that the formula may say: `most_beyond` times the highest of the rows.
+  std::vector<double> most;
   /// For each output the sum over the cases of squared errors unseen, in units of the variance; 0 where it is 0.
   std::vector<double> unseen_errors;
 

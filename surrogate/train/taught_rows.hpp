@@ -11,7 +11,7 @@
 
 namespace bitrock::surrogate {
 
-/// So many conditions: the networks come as near to the formula as with four times as many (docs/decisions/0020).
+/// So many conditions; taught by them, networks lie 1 to 3 % off the formula (docs/decisions/0021).
 inline constexpr int taught_conditions = 512;
 
 /// Even over the range of the rows (depths evenly in their logarithm); a share of them lies on its faces.

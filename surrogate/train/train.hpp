@@ -48,7 +48,7 @@ TrainOptions as_in_the_article();
 /// The layers of networks with so many further inputs: these, the first one wider.
 std::vector<int> with_further(std::vector<int> layers, std::size_t further);
 
-/// What `bitrock train` does unless it is told otherwise: a smooth formula teaches the networks (docs/decisions/0020);
+/// What `bitrock train` does unless it is told otherwise: a smooth formula teaches the networks (docs/decisions/0021);
 /// 600 epochs at a rate of 0.003, three starts, parameters averaged over 50 epochs. The article's 50 epochs end before
 /// the networks have learnt what the data hold, and of the small networks many a start ends in a poor minimum; found by
 /// cross-validation (docs/decisions/0013).

@@ -69,7 +69,7 @@ TEST_F(LearnProgram, FromLaboratoryNumbersARockIsCalibratedFirstAndKept) {
   EXPECT_NE(outcome.text.find("warning: the target was not reached"), std::string::npos)
       << "and goes on: " << outcome.text;
   EXPECT_NE(base::read_whole(dir / "out" / "rock.toml").find("small"), std::string::npos);
-  EXPECT_EQ(surrogate::read_model(dir / "out" / "model.json").rock, "small");
+  EXPECT_TRUE(surrogate::read_model(dir / "out" / "model.json").rock.starts_with("small"));
 }
 
 TEST_F(LearnProgram, WrongValuesAreRefused) {

@@ -30,8 +30,12 @@ done
 include=$prefix/include/bitrock
 (cd "$include" && find . -name '*.hpp' -o -name '*.h') | sed 's|^\./||' | sort >"$scratch/headers"
 [ -s "$scratch/headers" ] || { echo "no header in $include"; exit 1; }
+seen=
 for compiler in "$@"; do
   command -v "$compiler" >/dev/null || { echo "$compiler is not installed: passed over"; continue; }
+  program=$(readlink -f "$(command -v "$compiler")")
+  case " $seen " in *" $program "*) echo "$compiler is $program, too"; continue ;; esac
+  seen="$seen $program"
   xargs -P 2 -I{} bash -c 'alone "$@"' alone "$compiler" "$include" {} <"$scratch/headers"
   echo "$compiler: $(wc -l <"$scratch/headers") headers, each alone"
 done

@@ -51,12 +51,13 @@ def test_all_options_reach_the_training(program, tmp_path):
     program(
         *["train", FEATURES, "-o", tmp_path / "p.json", "--epochs", 4, "--batch", 7, "--learning-rate", 0.002],
         *["--split", 0.7, "--layers", "3,5,1", "--output-activation", "softplus", "--log-targets", "--smoothing", 2],
-        *["--validation", 0.2, "--starts", 2, "--single-cuts", "--weighted", "--no-shuffle", "--threads", 1],
+        *["--validation", 0.2, "--starts", 2, "--single-cuts", "--weighted", "--from-cases", "--no-shuffle"],
+        *["--threads", 1],
     )
     bitrock.train(
         FEATURES, epochs=4, batch=7, learning_rate=0.002, split=0.7, layers=[3, 5, 1], output_activation="softplus",
-        log_targets=True, smoothing=2, validation=0.2, starts=2, single_cuts=True, weighted=True, shuffle=False,
-        threads=2,
+        log_targets=True, smoothing=2, validation=0.2, starts=2, single_cuts=True, weighted=True, from_cases=True,
+        shuffle=False, threads=2,
     ).save(tmp_path / "m.json")  # fmt: skip
     assert (tmp_path / "m.json").read_bytes() == (tmp_path / "p.json").read_bytes()
 
@@ -106,3 +107,17 @@ def test_points_of_parity(model):
     assert np.sqrt(np.mean(error[held_out] ** 2)) == pytest.approx(output.held_out["rmse"], rel=1e-12)
     assert held_out.sum() == output.held_out["cases"] == len(model.provenance["test_cases"])
     assert set(bitrock.parity(model, FEATURES, unseen=True).outputs["y_amax_N_per_m"].role) == {"unseen"}
+
+
+def test_further_inputs_are_held(tmp_path):
+    table = {name: column for name, column in bitrock.read_features(FEATURES).items() if name != "hash"}
+    table["fluid_pressure_MPa"] = np.where(table["case"] % 2 == 0, 0.0, 20.0)
+    model = bitrock.train(table, epochs=2)
+    assert [one["name"] for one in model.inputs][3:] == ["fluid_pressure_MPa"]
+    with pytest.raises(bitrock.InputError, match="bitrock hold"):
+        model.predict(speed_m_per_s=1, depth_mm=2, rake_deg=20)
+    held = model.hold(fluid_pressure_MPa=10)
+    assert len(held.inputs) == 3
+    assert held.predict(speed_m_per_s=1, depth_mm=2, rake_deg=20)["x_amax_N_per_m"] > 0.0
+    with pytest.raises(bitrock.InputError, match="from 0 to 20"):
+        model.hold(fluid_pressure_MPa=30)

@@ -132,6 +132,25 @@ TEST(SmoothFormula, ZerosStayFinite) {
   EXPECT_LT(surrogate::predict(formula, rows[0])[3], 1e-3 * surrogate::predict(formula, rows[14])[3]);
 }
 
+TEST(SmoothFormula, FewCasesWithZerosLeadNowhereEndless) {
+  // Eight cases of one depth and mostly zeros: whatever the coefficients are, an answer in a far corner is a number.
+  for (int pattern = 1; pattern < 256; ++pattern) {
+    std::vector<TrainingRow> rows;
+    base::Random random(static_cast<std::uint64_t>(pattern));
+    for (int i = 0; i < 8; ++i) {
+      TrainingRow row{.case_number = i + 1,
+                      .inputs = {base::uniform(random, 2.0, 4.0), base::uniform(random, 2.0, 2.5), 10.0 + i},
+                      .cut_length = 3e-3};
+      for (double& output : row.outputs) output = (pattern >> i) % 2 == 1 ? 300.0 : 0.0;
+      rows.push_back(row);
+    }
+    const SmoothFormula formula = surrogate::fit_formula(rows);
+    const TrainingRow corner{.inputs = {4.0, 2.5, 10.0}, .cut_length = 3e-3};
+    for (const double output : surrogate::predict(formula, corner)) EXPECT_TRUE(output >= 0.0 && output <= 3000.0);
+    for (const double error : formula.unseen_errors) EXPECT_TRUE(std::isfinite(error) && error >= 0.0);
+  }
+}
+
 TEST(SmoothFormula, FurtherInputsHaveTermsToo) {
   std::vector<TrainingRow> rows;
   for (const double pressure : {0.0, 10.0, 40.0}) {
