@@ -45,7 +45,7 @@ class Progress {
 
 /// What is learnt from beside speed, depth and rake: what varies, or in a warm start what the model has.
 std::vector<LearntFurther> further_of(const TrainingData& data, const TrainOptions& options) {
-  const std::vector<LearntFurther> varying = learnt_further(data);
+  std::vector<LearntFurther> varying = learnt_further(data);
   if (options.init_from == nullptr) return varying;
   for (const LearntFurther& one : varying) {
     const auto is_it = [&one](const Variable& input) { return input.name == one.name; };
