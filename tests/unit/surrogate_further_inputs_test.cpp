@@ -38,15 +38,19 @@ std::string text_under(const std::vector<double>& pressures, const std::string& 
   return text;
 }
 
-Model trained(const TrainingData& data) {
-  return surrogate::train(data, surrogate::recommended());
+Model trained(const TrainingData& data, int epochs = 100, int starts = 1) {
+  surrogate::TrainOptions options = surrogate::recommended();
+  options.taught = false;
+  options.epochs = epochs;
+  options.starts = starts;
+  return surrogate::train(data, options);
 }
 
 const surrogate::CutConditions middle{.cutter_speed = 1.0, .depth_of_cut = 2e-3, .back_rake = 0.35};
 
 TEST(FurtherInputs, ThePressureIsLearntWhereItVaries) {
   const TrainingData data = surrogate_fixture::read_text(text_under({0.0, 10.0, 20.0}));
-  const Model model = trained(data);
+  const Model model = trained(data, 600, 3);
   ASSERT_EQ(model.inputs.size(), 4U);
   EXPECT_EQ(model.inputs[3].name, "fluid_pressure_MPa");
   EXPECT_EQ(model.inputs[3].unit, "MPa");
@@ -124,7 +128,7 @@ TEST(FurtherInputs, UnitsStandAtTheEndOfANameOrThereIsNone) {
 
 TEST(FurtherInputs, ParityAsksAtThePressureOfTheCase) {
   const TrainingData data = surrogate_fixture::read_text(text_under({0.0, 10.0, 20.0}));
-  const surrogate::Parity parity = surrogate::parity(trained(data), data);
+  const surrogate::Parity parity = surrogate::parity(trained(data, 600, 3), data);
   ASSERT_EQ(parity.inputs.size(), 4U);
   EXPECT_EQ(parity.outputs[0].points.back().further, std::vector{20.0});
   EXPECT_GT(*parity.outputs[0].held_out.r2, 0.95);
