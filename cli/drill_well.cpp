@@ -72,7 +72,7 @@ void run_in_well(const CommonOptions& common, const CaseFlags& flags, int seed, 
     require_outputs(common, inputs, {});
     say(common, "{}: {} segments, {:.0f} s in steps of {:g} ms, at most {:.3g} ms\n", well.drill.name,
         runtime::segment_count(string), well.drill.run.duration, runtime::step_of(well.drill.run) / base::ms,
-        0.8 * runtime::longest_stable_step(string) / base::ms);
+        runtime::longest_allowed_step(string) / base::ms);
     write_json(common, {{"segments", runtime::segment_count(string)},
                         {"step_s", runtime::step_of(well.drill.run)},
                         {"longest_stable_step_s", runtime::longest_stable_step(string)}});

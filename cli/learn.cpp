@@ -45,11 +45,12 @@ std::string calibrated_rock(const Options& options, const std::string& target) {
 }
 
 studies::LearnRequest request_of(const Options& options) {
+  studies::Study like = studies::read_study(base::or_shipped(options.study, data_folder()));
   const auto begin = std::chrono::steady_clock::now();
   const bool laboratory = base::ConfigFile::read(options.rock).has_table("target");
   const std::string rock = laboratory ? calibrated_rock(options, options.rock) : options.rock;
   studies::LearnRequest request{
-      .like = studies::read_study(base::or_shipped(options.study, data_folder())),
+      .like = std::move(like),
       .folder = options.folder,
       .budget = options.hours * 3600.0,
       .spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),

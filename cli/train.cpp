@@ -174,10 +174,6 @@ void add_train(CLI::App& app) {
       "--from-cases", options->from_cases,
       "The networks learn from the noisy cases themselves, not from a smooth formula through them. So it is "
       "with --init-from, too.");
-  command->add_flag(
-      "--as-in-the-article", options->article,
-      "The training is that of the article: from the cases, 50 passes, learning rate 0.001, one start, the "
-      "last step kept.");
   command->add_flag("--weighted", train.weighted, "Cases that scatter less between seeds weigh more.");
   command->add_flag("--search", options->search,
                     "The program compares several kinds of networks by cross-validation, and takes the article's "
@@ -187,6 +183,12 @@ void add_train(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--no-shuffle", options->no_shuffle,
                     "The cases keep the order of the file, and the last ones are the test set.");
+  CLI::Option* const article = command->add_flag(
+      "--as-in-the-article", options->article,
+      "The training is that of the article: from the cases, 50 passes, learning rate 0.001, one start, the "
+      "last step kept.");
+  for (const char* flag : {"--epochs", "--learning-rate", "--starts", "--smoothing"})
+    article->excludes(command->get_option(flag));
   command->add_option("--rock", train.rock, "The model file notes this name of the rock.");
   add_common(*command, options->common);
   add_jobs(*command, train.threads, "trainings", Spelling::jobs_or_threads);

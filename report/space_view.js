@@ -1,7 +1,7 @@
 // Draws the lines in space of the page (report/space_view.hpp) on their canvases, and makes their controls work.
 (() => {
   "use strict";
-  // Light to dark would vanish on white at its light end: a part of the map "viridis" [OkabeIto2008 asks the same of hues].
+  // A part of the map "viridis": its light end would vanish on white.
   const colours = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [229, 190, 32]];
   const ink = "#1d2733", muted = "#5b6774", faint = "#c3cbd3", font = "13px system-ui, sans-serif";
   const aside = 0.45, begin_lift = 0.3; // [rad] from the side on which the line is widest; from above

@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
+#include "surrogate/net/further_inputs.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "views/bit/chapter.hpp"
 #include "views/cut/chapter.hpp"
@@ -50,10 +51,12 @@ void add_networks(report::Page& page, const CampaignFiles& files, const surrogat
   if (base::is_there(files.data)) data = surrogate::read_training_data(files.data);
   if (base::is_there(files.earlier_model)) add_earlier_networks(page, files.earlier_model, data);
   if (model == nullptr) return;
-  page.section("Learning",
-               fmt::format("Ten small networks, one for each statistic of each force: speed, depth and rake in, "
-                           "one number out. They learnt from {}. Peak counts are per metre of cut.",
-                           model->provenance.data_file));
+  const std::string further = surrogate::further_names(*model);
+  page.section(
+      "Learning",
+      fmt::format("Small networks, one for each statistic of each force: speed, depth and rake{} in, one number out. "
+                  "They learnt from {}. Peak counts are per metre of cut.",
+                  further.empty() ? further : ", " + further, model->provenance.data_file));
   add_learning_curves(page, *model);
   if (!data) return;
   page.section("Network against DEM");

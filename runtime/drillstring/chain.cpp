@@ -56,6 +56,10 @@ double polar_moment(const PipeSection& pipe) {
   return std::numbers::pi / 32.0 * (std::pow(pipe.outer_diameter, 4) - std::pow(pipe.inner_diameter, 4));
 }
 
+double stress_of_moment(const PipeSection& pipe) {
+  return pipe.outer_diameter / polar_moment(pipe);
+}
+
 double mass_per_length(const PipeSection& pipe) {
   return pipe.linear_mass > 0.0 ? pipe.linear_mass : pipe.density * area(pipe);
 }

@@ -39,6 +39,8 @@ enum class Lumping {
 double area(const PipeSection& pipe);
 /// Of the cross-section [m^4].
 double polar_moment(const PipeSection& pipe);
+/// Stress at the outside of a unit of bending moment [1/m^3]: (D / 2) / I, I = J_p / 2.
+double stress_of_moment(const PipeSection& pipe);
 /// [kg/m]
 double mass_per_length(const PipeSection& pipe);
 /// Of a torsional wave [N m s/rad]: torque over rotation, sqrt(rho G) j.

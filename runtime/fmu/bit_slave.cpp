@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <string_view>
 #include <type_traits>
 
@@ -12,6 +11,7 @@
 #include "runtime/core/conditions.hpp"
 #include "runtime/fmu/bit_variables.hpp"
 #include "runtime/fmu/core_memory.hpp"
+#include "runtime/fmu/made.hpp"
 #include "runtime/laws/progression_angle.hpp"
 
 namespace bitrock::fmu {
@@ -136,13 +136,8 @@ bool is_sound(const Moment& m) {
 /// Restores the core from `state`; it may have been made with another signal.
 bool restore_core(BitSlave& slave, const bitrock_signal& signal, const char* state, std::size_t size) {
   if (same(slave.core_signal, signal)) return bitrock_core_restore(slave.core, state, size) == BITROCK_OK;
-  bitrock_status status = BITROCK_OK;
-  bitrock_core* const core = new_core(description_with(slave, signal), status);
+  bitrock_core* const core = restored_core(description_with(slave, signal), state, size);
   if (core == nullptr) return false;
-  if (bitrock_core_restore(core, state, size) != BITROCK_OK) {
-    std::free(core);
-    return false;
-  }
   std::free(slave.core);
   slave.core = core;
   slave.core_signal = signal;
@@ -194,18 +189,7 @@ const char* resource_name() {
 }
 
 Slave* make(char* bytes, std::size_t size, const char*& reason) {
-  void* const memory = std::malloc(sizeof(BitSlave));
-  if (memory == nullptr) {
-    std::free(bytes);
-    reason = "no memory";
-    return nullptr;
-  }
-  BitSlave* const slave = new (memory) BitSlave;
-  slave->bytes = bytes;
-  reason = fill(*slave, size);
-  if (reason == nullptr) return slave;
-  destroy(slave);
-  return nullptr;
+  return made<BitSlave>(bytes, size, reason, fill);
 }
 
 void destroy(Slave* slave) {

@@ -16,6 +16,14 @@ bitrock_core* new_core(const bitrock_description& description, bitrock_status& s
   return core;
 }
 
+bitrock_core* restored_core(const bitrock_description& description, const char* state, std::size_t size) {
+  bitrock_status status = BITROCK_OK;
+  bitrock_core* const core = new_core(description, status);
+  if (core == nullptr || bitrock_core_restore(core, state, size) == BITROCK_OK) return core;
+  std::free(core);
+  return nullptr;
+}
+
 int as_integer(std::int64_t count) {
   return count < INT32_MAX ? static_cast<int>(count) : INT32_MAX;
 }

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <new>
 
+#include "runtime/fmu/made.hpp"
 #include "runtime/fmu/string_variables.hpp"
 #include "runtime/well/soundness.hpp"
 #include "runtime/well/step.hpp"
@@ -120,18 +120,7 @@ const char* resource_name() {
 }
 
 Slave* make(char* bytes, std::size_t size, const char*& reason) {
-  void* const memory = std::malloc(sizeof(StringSlave));
-  if (memory == nullptr) {
-    std::free(bytes);
-    reason = "no memory";
-    return nullptr;
-  }
-  StringSlave* const slave = new (memory) StringSlave;
-  slave->bytes = bytes;
-  reason = fill(*slave, size);
-  if (reason == nullptr) return slave;
-  destroy(slave);
-  return nullptr;
+  return made<StringSlave>(bytes, size, reason, fill);
 }
 
 void destroy(Slave* slave) {

@@ -82,13 +82,8 @@ bool restore_core(StringSlave& slave, std::int64_t seed_of, const char* state, s
   if (slave.core_seed == seed_of) return bitrock_core_restore(slave.core, state, size) == BITROCK_OK;
   bitrock_description description = slave.block.bit.description;
   description.signal.seed = static_cast<std::uint64_t>(seed_of);
-  bitrock_status status = BITROCK_OK;
-  bitrock_core* const core = new_core(description, status);
+  bitrock_core* const core = restored_core(description, state, size);
   if (core == nullptr) return false;
-  if (bitrock_core_restore(core, state, size) != BITROCK_OK) {
-    std::free(core);
-    return false;
-  }
   std::free(slave.core);
   slave.core = core;
   slave.core_seed = seed_of;

@@ -106,7 +106,7 @@ WellString assemble(const WellCase& well) {
 }
 
 void require_stable(const WellCase& well, const WellString& string) {
-  const double longest = 0.8 * longest_stable_step(string);
+  const double longest = longest_allowed_step(string);
   if (well.drill.run.step > longest)
     throw base::InputError(fmt::format("{}: run.step_ms = {:g} (at most {:.3g} for these segments)", well.drill.name,
                                        well.drill.run.step / ms, longest / ms));

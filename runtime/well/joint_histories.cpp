@@ -35,11 +35,6 @@ constexpr std::array<JointSeries, 4> joint_series{
      {"/joints/moment_2_N_m", &JointHistory::moment_2, "N m", "bending in the frame that turns with the pipe"},
      {"/joints/moment_3_N_m", &JointHistory::moment_3, "N m", "about the axis across the other"}}};
 
-/// Stress of a unit of bending moment [1/m^3]: the weaker pipe has more.
-double stress_of_moment(const PipeSection& pipe) {
-  return pipe.outer_diameter / polar_moment(pipe);  // r / I
-}
-
 }  // namespace
 
 std::vector<JointHistory> joints_of(const WellCase& well, const WellStringState& state) {

@@ -23,6 +23,8 @@ void advance(const WellString& string, WellStringState& state, const RigControls
 /// Longest stable step [s], from the stiffest mode a joint of each kind can have with the wall on both sides of it and
 /// all dampers: h = 2/w (sqrt(1 + z^2) - z), z = beta w / 2, w [rad/s] bounded from above segment by segment.
 double longest_stable_step(const WellString& string);
+/// Longest step [s] that a case may have: 0.8 of the stable one.
+double longest_allowed_step(const WellString& string);
 
 /// What the steps make use of, and others may: the load of joint i at this instant, section forces with it.
 JointLoad<double> joint_now(const Columns& columns, std::size_t i);

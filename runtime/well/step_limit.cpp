@@ -79,4 +79,8 @@ double longest_stable_step(const WellString& string) {
   return step;
 }
 
+double longest_allowed_step(const WellString& string) {
+  return 0.8 * longest_stable_step(string);
+}
+
 }  // namespace bitrock::runtime

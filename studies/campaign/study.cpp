@@ -184,10 +184,6 @@ void read_cases(base::ConfigFile& file, Study& study) {
   study.table = read_table(file.resolve(study.table_file));
 }
 
-bool has_pressures(const Study& study) {
-  return !study.grid.mud_pressures.empty() || !study.table.mud_pressure.empty();
-}
-
 void refuse_two_pressures(base::ConfigFile& file, const Study& study) {
   if (has_pressures(study) && study.common.mud_pressure > 0.0)
     file.refuse("fluid", "pressure_MPa", "the cases have pressures of their own; give one of the two");
@@ -257,6 +253,10 @@ void for_each_case(const Study& study, const Function& function) {
 }
 
 }  // namespace
+
+bool has_pressures(const Study& study) {
+  return !study.grid.mud_pressures.empty() || !study.table.mud_pressure.empty();
+}
 
 Study read_study(const std::filesystem::path& path) {
   Study study;

@@ -81,6 +81,9 @@ std::string resolved_toml(const Study& study);
 /// The same, read back to the same bits: a study that needs no other file.
 std::string exact_toml(const Study& study);
 
+/// Whether the cases say under which pressure of the mud they are cut; otherwise all are under that of `common`.
+bool has_pressures(const Study& study);
+
 /// Cases times seeds; at most `most_jobs`.
 int count_jobs(const Study& study);
 

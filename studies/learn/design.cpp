@@ -36,6 +36,9 @@ double depth_at(const LearnRange& range, double share) {
 }  // namespace
 
 LearnRange range_of(const Study& study) {
+  if (has_pressures(study))
+    throw base::InputError(
+        "the cases of the study have pressures of the mud of their own (a design has one: fluid.pressure_MPa)");
   LearnRange range;
   bool first = true;
   for_each_job(study, [&](const Job& job) {

@@ -17,7 +17,8 @@ struct LearnRange {
   double low_rake = 0.0, high_rake = 0.0;    ///< [rad]
 };
 
-/// From the least to the greatest value of all cases of the study.
+/// From the least to the greatest value of all cases of the study. Throws `base::InputError` when they are cut under
+/// different pressures of the mud: a design has the one of the study.
 LearnRange range_of(const Study& study);
 
 /// A bed is as long and high as its depth of cut asks for, and a rock is made for each bed. So depths stand on so many

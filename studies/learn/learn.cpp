@@ -6,11 +6,9 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "base/errors.hpp"
 #include "base/files.hpp"
-#include "base/stop.hpp"
 #include "base/text.hpp"
 #include "studies/campaign/collect.hpp"
 #include "studies/campaign/folder.hpp"
@@ -111,7 +109,7 @@ Knowledge knowledge_of(const surrogate::TrainingData& data) {
       for (const surrogate::TrainingRow& row : rows) peaks_in_a_cut += row.outputs[o] * row.cut_length / n;
       size = peaks_in_a_cut;
     }
-    const double scatter = formula.unseen_errors[o] / n * n / (n + p);  // s^2
+    const double scatter = formula.unseen_errors[o] / (n + p);  // s^2
     knowledge.errors.push_back(size > 0.0 ? std::sqrt(scatter * p / n / size) : 0.0);
     knowledge.scatter.push_back(size > 0.0 ? std::sqrt(scatter / size) : 0.0);
   }

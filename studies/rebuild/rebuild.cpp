@@ -64,6 +64,13 @@ std::uint64_t seed_of(const RebuildOptions& options, std::size_t known) {
   return base::mix(options.seed ^ base::mix(known));
 }
 
+/// Networks that ask for the pressure of the mud too, at that of the case; none where they do not ask.
+std::optional<surrogate::Model> at_pressure_of(const KnownCase& one, const surrogate::Model* model) {
+  if (model == nullptr || surrogate::further_inputs(*model).empty()) return std::nullopt;
+  const double pressure = base::in_units(one.conditions().mud_pressure, base::MPa);
+  return surrogate::held(*model, {{{.name = std::string(surrogate::pressure_input), .value = pressure}}});
+}
+
 }  // namespace
 
 surrogate::OutputValues own_statistics(const Portrait& dem, const KnownCase& known) {
@@ -110,13 +117,6 @@ RebuiltForce rebuilt_force(const surrogate::Model& model, SignalMode mode, const
   return made;
 }
 
-/// Networks that ask for the pressure of the mud too, at that of the case.
-surrogate::Model at_pressure_of(const KnownCase& one, const surrogate::Model& model) {
-  if (surrogate::further_inputs(model).empty()) return model;
-  const double pressure = base::in_units(one.conditions().mud_pressure, base::MPa);
-  return surrogate::held(model, {{{.name = std::string(surrogate::pressure_input), .value = pressure}}});
-}
-
 Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, const RebuildOptions& options,
                    const base::ProgressCallback& progress) {
   Rebuilding all{.known = {}, .dem = {}, .comparisons = {}, .left_out = {}};
@@ -140,9 +140,8 @@ Rebuilding rebuild(std::vector<KnownCase> known, const surrogate::Model* model, 
     const surrogate::CutConditions conditions{.cutter_speed = one.conditions().cutter_speed,
                                               .depth_of_cut = one.conditions().depth_of_cut,
                                               .back_rake = one.conditions().back_rake};
-    const std::optional<surrogate::Model> asked =
-        model == nullptr ? std::nullopt : std::optional(at_pressure_of(one, *model));
-    for (const surrogate::Model* from : {&own, asked ? &*asked : nullptr}) {
+    const std::optional<surrogate::Model> held = at_pressure_of(one, model);
+    for (const surrogate::Model* from : {&own, held ? &*held : model}) {
       if (from == nullptr) continue;
       for (const SignalMode mode : options.modes) {
         if (mode == SignalMode::sawtooth && !surrogate::has_moments(*from)) continue;

@@ -84,7 +84,7 @@ Cut cut_for(const Broomstick& broomstick, const BroomstickRow& row) {
   top.length = bar;
   string.sections.insert(string.sections.begin(), top);
   runtime::require_consistent(string);
-  const double step = 0.8 * longest_stable_step(string);
+  const double step = longest_allowed_step(string);
   if (row.operation == Operation::pull_out) string.sections.front().length += most;
   return {string, step, way / slow_period(string)};
 }

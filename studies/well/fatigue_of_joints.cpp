@@ -18,7 +18,7 @@ constexpr int fibres = 16;
 JointDamage damage_of_joint(const runtime::JointHistory& joint, std::size_t begin, const CountedTime& time,
                             const FatigueWish& wish) {
   const runtime::PipeSection ring{.outer_diameter = joint.outer_diameter, .inner_diameter = joint.inner_diameter};
-  const double stress_of_moment = joint.outer_diameter / runtime::polar_moment(ring);  // r / I
+  const double of_moment = stress_of_moment(ring);
   const BetweenToolJoints pipe{joint.bending_stiffness, 0.5 * joint.tool_joint_distance, joint.stand_off};
   std::vector<double> magnification(time.count, 1.0), stress(time.count);
   JointDamage worst;
@@ -33,7 +33,7 @@ JointDamage damage_of_joint(const runtime::JointHistory& joint, std::size_t begi
     for (std::size_t k = 0; k < time.count; ++k) {
       const std::size_t row = begin + k;
       const double moment = joint.moment_2[row] * sine - joint.moment_3[row] * cosine;
-      stress[k] = joint.axial[row] + magnification[k] * stress_of_moment * moment;
+      stress[k] = joint.axial[row] + magnification[k] * of_moment * moment;
     }
     const PointDamage damage = damage_of_history("joint", joint.measured_depth, stress, time.hours, wish);
     if (fibre > 0 && damage.damage_per_hour <= worst.damage_per_hour) continue;

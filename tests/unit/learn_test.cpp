@@ -65,6 +65,12 @@ TEST_F(Learn, ARangeOfOneConditionIsRefused) {
   EXPECT_NE(fx::message([&] { design.next(8, 1); }, "").find("only 1 different conditions"), std::string::npos);
 }
 
+TEST_F(Learn, CasesWithPressuresOfTheirOwnAreRefused) {
+  studies::Study one = study();
+  one.grid.mud_pressures = {0.0, 20e6};
+  EXPECT_NE(fx::message([&] { studies::range_of(one); }, "").find("fluid.pressure_MPa"), std::string::npos);
+}
+
 TEST_F(Learn, DearCutsAreFewerByTheRootOfTheirTime) {
   // At one depth the time goes as one over the speed. So the density goes as its root: of all cuts the share below
   // speed v is (v^1.5 - l^1.5) / (h^1.5 - l^1.5), but for the 4 % on the faces.

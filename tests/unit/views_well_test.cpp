@@ -14,6 +14,7 @@
 #include "runtime/well/well_file.hpp"
 #include "tests/scratch.hpp"
 #include "tests/unit/vtp_reader.hpp"
+#include "tests/unit/well_texts.hpp"
 #include "views/well/chapter.hpp"
 #include "views/well/string_space.hpp"
 #include "views/well/vtk_string.hpp"
@@ -25,25 +26,10 @@ namespace {
 
 const std::string bent = R"(name = "bent"
 [well]
-measured_depth_m = [0, 60, 150]
-inclination_deg = [0, 0, 60]
-azimuth_deg = [0, 20, 20]
-frames = 20
-[[hole]]
-to_depth_m = 150
-diameter_mm = 215.9
-friction = 0.2
-[[pipe]]
-length_m = 95
-outer_diameter_mm = 127
-inner_diameter_mm = 108.61
-segment_length_m = 10
-[top_drive]
-rotation_rpm = 30
-ramp_s = 1
-[friction]
-law = "none"
-[run]
+)" + well_texts::bent_path +
+                         R"(frames = 20
+)" + well_texts::hole_and_pipe +
+                         well_texts::slow_drive + R"([run]
 duration_s = 3
 step_ms = 0.5
 sample_ms = 10

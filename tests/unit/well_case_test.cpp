@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "runtime/well/well_run.hpp"
 #include "tests/scratch.hpp"
+#include "tests/unit/well_texts.hpp"
 
 using namespace bitrock;
 using namespace bitrock::runtime;
@@ -17,24 +18,8 @@ namespace {
 
 const std::string small = R"(name = "small"
 [well]
-measured_depth_m = [0, 60, 150]
-inclination_deg = [0, 0, 60]
-azimuth_deg = [0, 20, 20]
-[[hole]]
-to_depth_m = 150
-diameter_mm = 215.9
-friction = 0.2
-[[pipe]]
-length_m = 95
-outer_diameter_mm = 127
-inner_diameter_mm = 108.61
-segment_length_m = 10
-[top_drive]
-rotation_rpm = 30
-ramp_s = 1
-[friction]
-law = "none"
-[run]
+)" + well_texts::bent_path +
+                          well_texts::hole_and_pipe + well_texts::slow_drive + R"([run]
 duration_s = 2
 step_ms = 0.5
 sample_ms = 10

@@ -12,6 +12,7 @@
 #include "studies/well/comparison.hpp"
 #include "surrogate/net/model_file.hpp"
 #include "tests/scratch.hpp"
+#include "tests/unit/well_texts.hpp"
 
 using namespace bitrock;
 using namespace bitrock::studies;
@@ -38,20 +39,9 @@ TEST(StressBands, ASineIsInItsBandWithItsDeviation) {
 /// 95 m of pipe in a bent hole, run in by 2 m, turned, slacked off to the bottom, and drilling.
 const std::string drilling = R"(name = "drilling"
 [well]
-measured_depth_m = [0, 60, 150]
-inclination_deg = [0, 0, 60]
-azimuth_deg = [0, 20, 20]
-bottom_depth_m = 97.05
-[[hole]]
-to_depth_m = 150
-diameter_mm = 215.9
-friction = 0.2
-[[pipe]]
-length_m = 95
-outer_diameter_mm = 127
-inner_diameter_mm = 108.61
-segment_length_m = 10
-[trip]
+)" + well_texts::bent_path + R"(bottom_depth_m = 97.05
+)" + well_texts::hole_and_pipe +
+                             R"([trip]
 run_in_m = 2
 speed_m_per_s = 1
 ramp_s = 1

@@ -32,6 +32,19 @@ double total(const WellStringState& state, Column column) {
   return sum;
 }
 
+/// A collar along a straight hole, against its wall at `room` [m] off the middle, that spins and goes round [rad/s].
+WellStringState rolling_collar(const WellString& string, double room, double spin, double rolling) {
+  WellStringState state = unloaded(string, {room, 0.0, 5.0}, rotation_to({0.0, 0.0, 1.0}));
+  for (std::size_t i = 0; i < state.count; ++i) {
+    if (i + 1 < state.count) renew_piece(string, state.columns, i);
+    const double inertia = 1.0 / (state.columns.at(inverse_inertia, i) + state.columns.at(inverse_inertia_along, i));
+    set_vector(state.columns, momentum, i, (inertia * spin) * vector_at(state.columns, direction, i));
+    set_vector(state.columns, velocity, i, {0.0, rolling * room, 0.0});
+    renew_derived(state.columns, state.columns.place_of(i));
+  }
+  return state;
+}
+
 TEST(WellContact, TheWallCarriesTheWeight) {
   const WellString string = lying(drill_pipe(), 12, 0.25);
   WellStringState state = at_rest(string, 5e-4);
@@ -154,14 +167,7 @@ TEST(WellContact, TheWallBearsWhatWhirlsRoundIt) {
   WellString string{.sections = {collar}, .hole = straight_hole(0.0, 100.0, 0.2159, 0.3)};
   string.damping.bending = 2e-4;
   const double room = string.hole[0].radius - collar.contact_radius, rolling = -spin * collar.contact_radius / room;
-  WellStringState state = unloaded(string, {room, 0.0, 5.0}, rotation_to({0.0, 0.0, 1.0}));
-  for (std::size_t i = 0; i < state.count; ++i) {
-    if (i + 1 < state.count) renew_piece(string, state.columns, i);
-    const double inertia = 1.0 / (state.columns.at(inverse_inertia, i) + state.columns.at(inverse_inertia_along, i));
-    set_vector(state.columns, momentum, i, (inertia * spin) * vector_at(state.columns, direction, i));
-    set_vector(state.columns, velocity, i, {0.0, rolling * room, 0.0});
-    renew_derived(state.columns, state.columns.place_of(i));
-  }
+  WellStringState state = rolling_collar(string, room, spin, rolling);
   double all = 0.0, needed = 0.0, samples = 0.0;
   while (state.time < 1.0) {
     advance(string, state, {}, nothing, h);
@@ -217,14 +223,7 @@ TEST(WellContact, ACollarRollsBackwardsAlongTheWall) {
   const WellString string{.sections = {collar}, .hole = straight_hole(0.0, 100.0, 0.2159, 0.3)};
   const double room = string.hole[0].radius - collar.contact_radius, rolling = -spin * collar.contact_radius / room;
   EXPECT_NEAR(rolling / spin, -3.25, 1e-12);
-  WellStringState state = unloaded(string, {room, 0.0, 5.0}, rotation_to({0.0, 0.0, 1.0}));
-  for (std::size_t i = 0; i < state.count; ++i) {
-    if (i + 1 < state.count) renew_piece(string, state.columns, i);
-    const double inertia = 1.0 / (state.columns.at(inverse_inertia, i) + state.columns.at(inverse_inertia_along, i));
-    set_vector(state.columns, momentum, i, (inertia * spin) * vector_at(state.columns, direction, i));
-    set_vector(state.columns, velocity, i, {0.0, rolling * room, 0.0});
-    renew_derived(state.columns, state.columns.place_of(i));
-  }
+  WellStringState state = rolling_collar(string, room, spin, rolling);
   while (state.time < 1.0) advance(string, state, {}, nothing, h);
   const double from = state.columns.at(turns, 3);
   double round = 0.0, orbit = 0.0, samples = 0.0;
