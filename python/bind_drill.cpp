@@ -50,6 +50,7 @@ py::dict summary(const Run& run) {
   dict["source_force_N"] = as_dict(s.source_force);
   dict["source_torque_N_m"] = as_dict(s.source_torque);
   dict["rop_m_per_s"] = as_dict(s.rop);
+  if (s.hook_load) dict["hook_load_N"] = as_dict(*s.hook_load);
   dict["static_weight_on_bit_N"] = s.static_weight_on_bit;
   dict["severity"] = s.severity;
   dict["share_at_rest"] = s.share_at_rest;
@@ -164,11 +165,15 @@ void bind_drill(py::module_& module) {
       .def_property_readonly("face_depth_m", series(&DrillSeries::face_depth_m), "of the rock face [m]")
       .def_property_readonly("progression_angle_rad", series(&DrillSeries::progression_angle_rad),
                              "turned forward while cutting [rad]")
+      .def_property_readonly("hook_load_N", series(&DrillSeries::hook_load_N),
+                             "of a hoist that is fed, on the string, upwards [N]; otherwise empty")
+      .def_property_readonly("block_speed_m_per_s", series(&DrillSeries::block_speed_m_per_s),
+                             "of its block, downwards [m/s]; otherwise empty")
       .def_property_readonly(
           "summary", &summary,
           "dict over all steps after the settling time: of bit_rotation_rad_per_s, weight_on_bit_N,\n"
-          "total_force_N, torque_on_bit_N_m, source_force_N, source_torque_N_m and rop_m_per_s a dict\n"
-          "with mean, sd, min, max; and numbers such as severity and share_at_rest")
+          "total_force_N, torque_on_bit_N_m, source_force_N, source_torque_N_m and rop_m_per_s (and hook_load_N\n"
+          "where the hoist is fed) a dict with mean, sd, min, max; and numbers such as severity and share_at_rest")
       .def_property_readonly("modes", &modes,
                              "natural frequencies [Hz]: dict of arrays axial_Hz, axial_off_bottom_Hz, torsional_Hz")
       .def_property_readonly(

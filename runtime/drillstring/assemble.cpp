@@ -13,7 +13,6 @@ namespace bitrock::runtime {
 namespace {
 
 constexpr double ms = 1e-3;
-constexpr double usual_drive_inertia = 2900.0;  // [kg m^2] of a top drive with its motors [Simulator4nDOF]
 
 /// Lists as a file gives them, with the missing first spring and wall dampings.
 Chain completed(Chain chain) {
@@ -65,7 +64,31 @@ void require_sensible(const std::string& name, const char* direction, const Chai
   }
 }
 
+/// The hoist of the case: gains of an autodriller by the string, and where the rock of a steady feed is in balance.
+Hoist hoist_of(const DrillCase& drill, const DrillString& string) {
+  Hoist hoist = drill.hoist;
+  if (hoist.rule == HoistRule::autodriller)
+    hoist.autodriller =
+        autodriller_for(stiffness_below_block(string), drill.autodriller_time, drill.hoist.autodriller.fastest);
+  if (hoist.rule == HoistRule::feed && hoist.weight_on_bit == 0.0 && drill.drive.imposes_speed)
+    hoist.weight_on_bit = weight_for_advance(string.bit, drill.drive.rotation, hoist.feed);
+  return hoist;
+}
+
 }  // namespace
+
+double stiffness_below_block(const DrillString& string) {
+  double compliance = 1.0 / string.hoist.stiffness + 1.0 / string.bit.contact.stiffness;
+  for (std::size_t i = 1; i < string.axial.size(); ++i) compliance += 1.0 / string.axial.stiffness[i];
+  return 1.0 / compliance;
+}
+
+double weight_for_advance(const BitRock& bit, double rotation, double speed) {
+  const AdvanceLine line = advance_at(bit, rotation);
+  if (!(line.slope > 0.0)) return 0.0;
+  const double weight = (speed - line.offset) / line.slope;
+  return weight > line.threshold ? weight : 0.0;
+}
 
 BitRock bit_rock_of(const DrillCase& drill) {
   BitRock bit = drill.bit_rock;
@@ -114,6 +137,10 @@ DrillString assemble(const DrillCase& drill) {
   string.torsional.wall_damping.back() += drill.bit_damping;
 
   string.drive = drill.drive;
+  if (is_fed(drill.hoist)) {
+    string.hoist = drill.hoist;
+    string.hoist = hoist_of(drill, string);
+  }
   string.wall_friction = drill.wall_friction;
   if (drill.wall_friction.law != FrictionLaw::none) {
     for (const double force : drill.wall_force) string.wall_moment.push_back(force * drill.wall_radius);
@@ -126,7 +153,7 @@ DrillString assemble(const DrillCase& drill) {
                      drill.drive.imposes_speed ? 0.0 : drill.drive_damping);
     if (!string.wall_moment.empty()) string.wall_moment.insert(string.wall_moment.begin(), 0.0);
   }
-  require_sensible(drill.name, "axial", string.axial);
+  require_sensible(drill.name, "axial", held_axial_chain(string));
   require_sensible(drill.name, "torsional", string.torsional);
   require_consistent(string);
   return string;
@@ -139,21 +166,23 @@ BitSupport axial_support(const DrillString& string) {
 DrillModes drill_modes(const DrillString& string) {
   DrillModes modes{.torsional = natural_frequencies(string.torsional)};
   if (string.axial.size() == 0) return modes;
-  modes.axial = natural_frequencies(string.axial, axial_support(string));
-  modes.axial_off_bottom = natural_frequencies(string.axial);
+  const Chain held = held_axial_chain(string);
+  modes.axial = natural_frequencies(held, axial_support(string));
+  modes.axial_off_bottom = natural_frequencies(held);
   return modes;
 }
 
 double longest_stable_step(const DrillString& string) {
   double longest = longest_stable_step(string.torsional, torsional_support(string));
-  if (string.axial.size() > 0) longest = std::min(longest, longest_stable_step(string.axial, axial_support(string)));
+  if (string.axial.size() > 0)
+    longest = std::min(longest, longest_stable_step(held_axial_chain(string), axial_support(string)));
   return longest;
 }
 
 void require_stable(const DrillCase& drill, const DrillString& string) {
   const double step = drill.run.step;
   if (is_stable_step(string.torsional, torsional_support(string), step) &&
-      (string.axial.size() == 0 || is_stable_step(string.axial, axial_support(string), step)))
+      (string.axial.size() == 0 || is_stable_step(held_axial_chain(string), axial_support(string), step)))
     return;
   const double longest = longest_stable_step(string);
   throw base::InputError(

@@ -21,6 +21,8 @@ void require_consistent(const DrillString& string) {
     }
   }
   if (string.weights.size() != string.axial.size()) refuse("one weight an axial lump is needed");
+  if (is_fed(string.hoist) && (string.axial.size() == 0 || !(string.hoist.stiffness > 0.0)))
+    refuse("a hoist that is fed needs an axial chain and a line of stiffness above 0");
   if (!string.wall_moment.empty() && string.wall_moment.size() != string.torsional.size())
     refuse("one wall moment a torsional lump is needed");
   if (!(string.bit.fracture_stiffness > 0.0)) refuse("the fracture stiffness must be above 0");

@@ -37,10 +37,28 @@ const base::Range duration = between(1e-3, 1e6), pause = between(0.0, 1e6);     
 /// Of how the drive answers to the string. A stiff drive does not say them: texts of older cases stay valid.
 constexpr std::array control_keys{"control", "control_damping_N_m_s_per_rad", "control_period_s", "reaction_time_ms"};
 
+/// Of a hoist that is fed, with the rules that make use of each. A hoist that is a load does not say them, either.
+struct HoistKey {
+  const char* name;
+  bool of_feed, of_autodriller;
+};
+constexpr std::array<HoistKey, 7> hoist_keys{{{"hoist", true, true},
+                                              {"line_stiffness_N_per_m", true, true},
+                                              {"line_damping_N_s_per_m", true, true},
+                                              {"feed_m_per_h", true, false},
+                                              {"weight_on_bit_kN", true, true},
+                                              {"slack_off_m_per_s", false, true},
+                                              {"autodriller_time_s", false, true}}};
+
+bool has_meaning(const HoistKey& key, HoistRule rule) {
+  return (key.of_feed && rule == HoistRule::feed) || (key.of_autodriller && rule == HoistRule::autodriller);
+}
+
 /// Words of the file on their way to enumerations.
 struct Words {
   std::string lumping = "middle", imposes = "speed", jets = "up", friction = "smooth", wall = "none", advance = "root";
   std::string unloading = "free", axial_source = "full", source = "none", start = "turning", control = "stiff";
+  std::string hoist = "load";
 };
 
 template <class Enum, std::size_t n>
@@ -50,6 +68,8 @@ constexpr Meanings<Lumping, 2> lumpings{{{"middle", Lumping::middle}, {"end", Lu
 constexpr Meanings<bool, 2> imposed{{{"speed", true}, {"torque", false}}};
 constexpr Meanings<DriveAnswer, 3> drive_answers{
     {{"stiff", DriveAnswer::stiff}, {"soft_torque", DriveAnswer::soft_torque}, {"matched", DriveAnswer::matched}}};
+constexpr Meanings<HoistRule, 3> hoist_rules{
+    {{"load", HoistRule::load}, {"feed", HoistRule::feed}, {"autodriller", HoistRule::autodriller}}};
 constexpr Meanings<bool, 2> directions{{{"up", true}, {"down", false}}};
 constexpr Meanings<FrictionLaw, 3> friction_laws{
     {{"none", FrictionLaw::none}, {"smooth", FrictionLaw::smooth}, {"stribeck", FrictionLaw::stribeck}}};
@@ -148,7 +168,18 @@ std::vector<base::Section> describe_operation(DrillCase& drill, Words& words) {
          "gain of that control; 0: by the impedance of the string"},
         {control_keys[2], &drill.control.period, 1.0, zero_or(1e-3, 1e3),
          "of the vibration it is tuned to; 0: the slowest of the string"},
-        {control_keys[3], &drill.control.reaction_time, ms, between(0.1, 1e3), "matched: how late the drive follows"}}},
+        {control_keys[3], &drill.control.reaction_time, ms, between(0.1, 1e3), "matched: how late the drive follows"},
+        {hoist_keys[0].name, &words.hoist, 1.0, any(),
+         "what holds the string: 'load', the hook load; 'feed' or 'autodriller', a block that goes down"},
+        {hoist_keys[1].name, &drill.hoist.stiffness, 1.0, zero_or(1.0, 1e13),
+         "of drill line and derrick, between block and string"},
+        {hoist_keys[2].name, &drill.hoist.damping, 1.0, axial_damper, "of the damper beside that spring"},
+        {hoist_keys[3].name, &drill.hoist.feed, m_per_h, between(0.0, 1000.0), "feed: speed of the block"},
+        {hoist_keys[4].name, &drill.hoist.weight_on_bit, kN, between(0.0, 1e4),
+         "autodriller: held; feed: at the beginning, 0: with which the rock goes away as fast"},
+        {hoist_keys[5].name, &drill.hoist.autodriller.fastest, 1.0, between(1e-4, 1.0),
+         "autodriller: fastest speed of the block"},
+        {hoist_keys[6].name, &drill.autodriller_time, 1.0, between(1.0, 1e3), "in which the autodriller answers"}}},
       {"bit",
        {{"file", &drill.bit_file, 1.0, any(), "bit file, relative to this file; or the keys of a bit here"},
         {"mass_kg", &drill.bit_mass, 1.0, bit_mass, "added to the lowest axial lump"},
@@ -230,7 +261,7 @@ std::vector<base::Section> describe(DrillCase& drill, Words& words) {
   }
   return base::also_in_oilfield_units(
       std::move(sections),
-      {"torque_kN_m", "hook_load_kN", "friction_radius_mm", "normal_force_kN", "radius_mm", "threshold_weight_kN",
+      {"torque_kN_m", "hook_load_kN", "weight_on_bit_kN", "friction_radius_mm", "normal_force_kN", "radius_mm", "threshold_weight_kN",
        "imposed_weight_kN", "pressure_drop_MPa", "nozzle_area_mm2", "density_kg_per_m3", "force_mean_kN",
        "force_deviation_kN", "torque_mean_N_m", "torque_deviation_N_m"});
 }
@@ -238,6 +269,7 @@ std::vector<base::Section> describe(DrillCase& drill, Words& words) {
 void take_words(const base::ConfigFile& file, const Words& words, DrillCase& drill) {
   drill.drive.imposes_speed = meaning_of(file, "top_drive", "imposes", words.imposes, imposed);
   drill.control.answer = meaning_of(file, "top_drive", "control", words.control, drive_answers);
+  drill.hoist.rule = meaning_of(file, "top_drive", "hoist", words.hoist, hoist_rules);
   drill.jets_push_up = meaning_of(file, "fluid", "jet_force", words.jets, directions);
   drill.bit_rock.friction.law = meaning_of(file, "friction", "law", words.friction, friction_laws);
   drill.wall_friction.law = meaning_of(file, "wall", "law", words.wall, friction_laws);
@@ -259,7 +291,8 @@ Words words_of(const DrillCase& drill) {
           .axial_source = word_of(drill.bit_rock.axial_source, axial_sources),
           .source = word_of(drill.source.kind, sources),
           .start = word_of(drill.run.turning, starts),
-          .control = word_of(drill.control.answer, drive_answers)};
+          .control = word_of(drill.control.answer, drive_answers),
+          .hoist = word_of(drill.hoist.rule, hoist_rules)};
 }
 
 void read_pipes(base::ConfigFile& file, DrillCase& drill) {
@@ -304,10 +337,30 @@ void check_control(const base::ConfigFile& file, const DrillCase& drill) {
                 "needs control_damping_N_m_s_per_rad where [torsion] and not [[pipe]] gives the string");
 }
 
+void check_hoist(const base::ConfigFile& file, const DrillCase& drill, bool axial) {
+  const HoistRule rule = drill.hoist.rule;
+  for (const HoistKey& key : hoist_keys) {
+    if (&key == hoist_keys.data() || has_meaning(key, rule) || !file.has("top_drive", key.name)) continue;
+    file.refuse("top_drive", key.name,
+                key.of_feed && key.of_autodriller ? "needs hoist = 'feed' or 'autodriller'"
+                : key.of_feed                     ? "needs hoist = 'feed'"
+                                                  : "needs hoist = 'autodriller'");
+  }
+  if (rule == HoistRule::load) return;
+  if (!axial) file.refuse("top_drive", "hoist", "must be 'load' for a string without axial chain");
+  if (file.has("top_drive", "hook_load_kN"))
+    file.refuse("top_drive", "hook_load_kN", "is a result with hoist = 'feed' or 'autodriller'; take it out");
+  if (drill.hoist.stiffness == 0.0)
+    file.refuse("top_drive", "hoist", "needs the spring that holds the string (line_stiffness_N_per_m above 0)");
+  if (rule == HoistRule::autodriller && drill.hoist.weight_on_bit == 0.0)
+    file.refuse("top_drive", "hoist", "needs the weight that the autodriller holds (weight_on_bit_kN)");
+}
+
 void check_together(const base::ConfigFile& file, const DrillCase& drill) {
   const bool axial = !drill.pipes.empty() || drill.axial.size() > 0;
   const BitRock& rock = drill.bit_rock;
   check_control(file, drill);
+  check_hoist(file, drill, axial);
   if (axial && rock.imposed_weight > 0.0)
     file.refuse("drilling", "imposed_weight_kN",
                 "needs a string without axial chain; here hook load and weight give it");
@@ -414,6 +467,19 @@ void leave_out_control(std::vector<base::Section>& sections, DriveAnswer answer)
   for (base::Section& section : sections) std::erase_if(section.fields, without_meaning);
 }
 
+/// Keys of `[top_drive]` that have no meaning with this rule of the hoist.
+void leave_out_hoist(std::vector<base::Section>& sections, HoistRule rule) {
+  const auto without_meaning = [rule](const base::Field& field) {
+    const auto key = std::find_if(hoist_keys.begin(), hoist_keys.end(),
+                                  [&](const HoistKey& hoist_key) { return field.name == hoist_key.name; });
+    if (key != hoist_keys.end()) return !has_meaning(*key, rule);
+    return rule != HoistRule::load && field.name == "hook_load_kN";
+  };
+  for (base::Section& section : sections) {
+    if (section.name == "top_drive") std::erase_if(section.fields, without_meaning);
+  }
+}
+
 }  // namespace
 
 std::string resolved_common_toml(const DrillCase& drill, std::vector<base::Section> more,
@@ -422,6 +488,7 @@ std::string resolved_common_toml(const DrillCase& drill, std::vector<base::Secti
   Words words = words_of(drill);
   std::vector<base::Section> sections = describe(copy, words);
   leave_out_control(sections, copy.control.answer);
+  leave_out_hoist(sections, copy.hoist.rule);
   const auto is_out = [&](const std::string& name) {
     return std::find(left_out.begin(), left_out.end(), name) != left_out.end();
   };

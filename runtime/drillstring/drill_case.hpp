@@ -51,6 +51,8 @@ struct DrillCase {
   Chain axial, torsional;    ///< as given; empty where there are pipes, and `axial` where the weight on bit is imposed
   TopDrive drive;            ///< what turns the string
   DriveControlCase control;  ///< how it answers to the string
+  Hoist hoist{.autodriller = {.fastest = 0.05}};  ///< what holds the string; gains of an autodriller: by `assemble`
+  double autodriller_time = 5.0;                  ///< [s] in which it answers
   double drive_inertia = 0.0;      ///< [kg m^2] of a drive that imposes torque, or of one with soft torque
   double drive_damping = 0.0;      ///< [N m s/rad] of that drive against the ground
   std::string bit_file;            ///< empty: no bit, or its keys stand in the case itself
@@ -104,6 +106,14 @@ double bit_inertia_of(const DrillCase& drill);
 /// inertia where the drive is stiff.
 DriveControl control_of(const DrillCase& drill, double natural_period);
 
+/// **What** Stiffness of the whole string along its axis, as its block feels it [N/m].
+/// **Equation** 1 / k = 1 / k_line + sum of 1 / K_i + 1 / k_r: spring of the line, of the pipe between lumps, of the rock.
+double stiffness_below_block(const DrillString& string);
+
+/// The weight on bit [N] at which the rock goes away with `speed` [m/s] below a bit that turns with `rotation` [rad/s];
+/// 0 where no weight, or any, does that.
+double weight_for_advance(const BitRock& bit, double rotation, double speed);
+
 /// Throws `InputError` when the parts do not make a drill string.
 DrillString assemble(const DrillCase& drill);
 
@@ -131,7 +141,7 @@ BitSupport axial_support(const DrillString& string);
 /// Natural frequencies [Hz].
 struct DrillModes {
   std::vector<double> axial;             ///< [Hz] bit on the rock's spring; empty without an axial chain
-  std::vector<double> axial_off_bottom;  ///< [Hz] bit free: the first is 0; empty without an axial chain
+  std::vector<double> axial_off_bottom;  ///< [Hz] bit free: the first is 0 without a line; empty without an axial chain
   std::vector<double> torsional;         ///< [Hz] bit free, drive held still
 };
 

@@ -39,6 +39,12 @@ constexpr std::array<SeriesEntry, 12> series_entries{
      {"/series/face_depth_m", &DrillSeries::face_depth_m, "m", "of the rock face"},
      {"/series/progression_angle_rad", &DrillSeries::progression_angle_rad, "rad", "turned forward while cutting"}}};
 
+/// Of hoists that are fed.
+constexpr std::array<SeriesEntry, 2> hoist_entries{
+    {{"/series/hook_load_N", &DrillSeries::hook_load_N, "N", "of the hoist on the string, upwards"},
+     {"/series/block_speed_m_per_s", &DrillSeries::block_speed_m_per_s, "m/s", "of the block, downwards"}}};
+constexpr const char* hook_load_path = "/summary/hook_load_N";
+
 struct SpreadEntry {
   const char* path;
   Spread DrillSummary::*spread;
@@ -93,11 +99,12 @@ std::vector<double> as_doubles(const Tally& tally, const std::array<std::int64_t
 }
 
 void write_summary(base::Hdf5Writer& file, const DrillSummary& summary) {
-  for (const SpreadEntry& entry : spread_entries) {
-    const Spread& spread = summary.*entry.spread;
-    file.array(entry.path, std::array{spread.mean, spread.deviation, spread.lowest, spread.highest}, entry.units,
+  const auto write = [&file](const char* path, const Spread& spread, const char* units) {
+    file.array(path, std::array{spread.mean, spread.deviation, spread.lowest, spread.highest}, units,
                "mean, standard deviation, lowest, highest over all steps after settling");
-  }
+  };
+  for (const SpreadEntry& entry : spread_entries) write(entry.path, summary.*entry.spread, entry.units);
+  if (summary.hook_load) write(hook_load_path, *summary.hook_load, "N");
   for (const NumberEntry& entry : number_entries) file.attribute(entry.name, summary.*entry.value);
   file.array(clamps_path, as_doubles(summary.clamps, clamp_counts), "1",
              "to the networks: asked; outside their range: speed below, above, depth below, above, rake below, above");
@@ -105,9 +112,12 @@ void write_summary(base::Hdf5Writer& file, const DrillSummary& summary) {
              "of the cutters: drawn, mean missed, band left, narrowed, capped");
 }
 
-DrillSeries read_series(const base::Hdf5Reader& file) {
+DrillSeries read_series(const base::Hdf5Reader& file, bool fed) {
   DrillSeries series;
   const std::size_t count = file.doubles(series_entries.front().path).size();
+  for (const SeriesEntry& entry : hoist_entries) {
+    if (fed) series.*entry.values = finite_array(file, entry.path, count);
+  }
   for (const SeriesEntry& entry : series_entries) series.*entry.values = finite_array(file, entry.path, count);
   require_rising(file, series.time_s);
   return series;
@@ -126,12 +136,15 @@ Tally read_tally(const base::Hdf5Reader& file, const char* path, const std::arra
   return tally;
 }
 
-DrillSummary read_summary(const base::Hdf5Reader& file) {
+Spread read_spread(const base::Hdf5Reader& file, const char* path) {
+  const std::vector<double> values = finite_array(file, path, 4);
+  return {values[0], values[1], values[2], values[3]};
+}
+
+DrillSummary read_summary(const base::Hdf5Reader& file, bool fed) {
   DrillSummary summary;
-  for (const SpreadEntry& entry : spread_entries) {
-    const std::vector<double> values = finite_array(file, entry.path, 4);
-    summary.*entry.spread = {values[0], values[1], values[2], values[3]};
-  }
+  for (const SpreadEntry& entry : spread_entries) summary.*entry.spread = read_spread(file, entry.path);
+  if (fed) summary.hook_load = read_spread(file, hook_load_path);
   for (const NumberEntry& entry : number_entries) summary.*entry.value = file.number_attribute(entry.name);
   summary.clamps = read_tally(file, clamps_path, clamp_counts);
   summary.draws = read_tally(file, draws_path, draw_counts);
@@ -156,6 +169,9 @@ void write_drill_run(const DrillRun& run, const DrillCase& drill, const std::str
   file.attribute("wall_s", run.wall_time);
   for (const SeriesEntry& entry : series_entries)
     file.array(entry.path, run.series.*entry.values, entry.units, entry.meaning);
+  for (const SeriesEntry& entry : hoist_entries) {
+    if (is_fed(drill.hoist)) file.array(entry.path, run.series.*entry.values, entry.units, entry.meaning);
+  }
   write_summary(file, run.summary);
   const DrillModes modes = drill_modes(assemble(drill));
   for (const ModesEntry& entry : modes_entries) file.array(entry.path, modes.*entry.frequencies, "Hz", entry.meaning);
@@ -171,8 +187,9 @@ DrillFile read_drill_run(const std::filesystem::path& path) {
   DrillFile result;
   result.drill = recorded_drill_case(file.text_attribute("config_toml"), file.name() + " (config_toml)");
   result.model = file.text_attribute("model_fingerprint");
-  result.run = {.series = read_series(file),
-                .summary = read_summary(file),
+  const bool fed = is_fed(result.drill.hoist);
+  result.run = {.series = read_series(file, fed),
+                .summary = read_summary(file, fed),
                 .step = file.number_attribute("step_s"),
                 .steps = file.integer_attribute("steps", 1, std::numeric_limits<long long>::max()),
                 .wall_time = file.number_attribute("wall_s")};

@@ -24,12 +24,13 @@ struct Longest {
 };
 
 struct Observed {
-  RunningSpread rotation, weight, total, torque, source_force, source_torque, rop;
+  RunningSpread rotation, weight, total, torque, source_force, source_torque, rop, hook;
   double count = 0.0, at_rest = 0.0, backwards = 0.0, off_bottom = 0.0;
   Longest stop, flight;
 };
 
 void observe(const DrillState& state, Observed& seen) {
+  seen.hook.add(state.hoist.pull);
   const double rotation = state.torsional.velocity.back();
   seen.rotation.add(rotation);
   seen.weight.add(state.weight_on_bit);
@@ -62,6 +63,9 @@ void record(const DrillString& string, const DrillState& state, double face, Dri
   series.bit_depth_m.push_back(bit_position(string, state) - face);
   series.face_depth_m.push_back(state.face - face);
   series.progression_angle_rad.push_back(state.progression);
+  if (!is_fed(string.hoist)) return;
+  series.hook_load_N.push_back(hook_load(string, state));
+  series.block_speed_m_per_s.push_back(state.hoist.speed);
 }
 
 void require_finite(const DrillState& state) {
@@ -83,6 +87,7 @@ DrillSummary summary_of(const DrillString& string, const DrillState& state, cons
   summary.source_force = seen.source_force.spread();
   summary.source_torque = seen.source_torque.spread();
   summary.rop = seen.rop.spread();
+  if (is_fed(string.hoist)) summary.hook_load = seen.hook.spread();
   summary.static_weight_on_bit = static_weight_on_bit(string);
   const Spread& rotation = summary.bit_rotation;
   if (rotation.mean > 0.0) summary.severity = (rotation.highest - rotation.lowest) / (2.0 * rotation.mean);

@@ -29,6 +29,8 @@ struct DrillSeries {
   std::vector<double> bit_depth_m;               ///< below where the rock face was at the beginning
   std::vector<double> face_depth_m;              ///< below where the rock face was at the beginning
   std::vector<double> progression_angle_rad;     ///< turned forward while cutting
+  std::vector<double> hook_load_N;               ///< of the hoist on the string; empty where it is imposed
+  std::vector<double> block_speed_m_per_s;       ///< of the block, downwards; empty where it is not fed
 };
 
 /// Over all steps after the settling time.
@@ -40,6 +42,7 @@ struct DrillSummary {
   Spread source_force;                ///< [N] axial, of the source
   Spread source_torque;               ///< [N m] of the source: limit of the breaking rock
   Spread rop;                         ///< [m/s]
+  std::optional<Spread> hook_load;    ///< [N] of a hoist that is fed
   double static_weight_on_bit = 0.0;  ///< [N] weight less hook load and jets; what `total_force` is in the mean
   double severity = 0.0;              ///< [1] (highest - lowest) / (2 mean) of the bit's rotation; 0 for a mean of 0
   double share_at_rest = 0.0;         ///< [1] of the time, bit slower than `at_rest`

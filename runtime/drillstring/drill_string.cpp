@@ -34,7 +34,10 @@ void accelerate_axial(const DrillString& string, DrillState& state) {
   std::vector<double>& force = state.axial_room.force;
   set_chain_forces(string.axial, state.axial.position, state.axial_room.predicted, {}, force);
   for (std::size_t i = 0; i < force.size(); ++i) force[i] += string.weights[i];
-  force.front() -= string.drive.hook_load;
+  if (is_fed(string.hoist))
+    state.hoist.pull =
+        line_pull(string.hoist, state.hoist, state.axial.position.front(), state.axial_room.predicted.front()).pull;
+  force.front() -= hook_load(string, state);
   force.back() -= state.weight_on_bit + state.source_force + string.bit.hydraulic_force;
   for (std::size_t i = 0; i < force.size(); ++i) state.axial.acceleration[i] = force[i] / string.axial.inertia[i];
 }
@@ -102,6 +105,12 @@ double accelerate_torsional(const DrillString& string, DrillState& state, double
   return wall_power;
 }
 
+/// Of the line with the velocities of this instant; nothing where the hook load is imposed.
+LinePull line_now(const DrillString& string, const DrillState& state) {
+  if (!is_fed(string.hoist)) return {};
+  return line_pull(string.hoist, state.hoist, state.axial.position.front(), state.axial.velocity.front());
+}
+
 EnergyFlows power_now(const DrillString& string, const DrillState& state, double wall_power) {
   const Drive drive = drive_at(string.drive, state.time);
   const double rotation = state.torsional.velocity.back();
@@ -117,8 +126,9 @@ EnergyFlows power_now(const DrillString& string, const DrillState& state, double
   const double sinking = state.axial.velocity.back();
   power.weight = std::inner_product(string.weights.begin(), string.weights.end(), state.axial.velocity.begin(), 0.0);
   power.hook = -string.drive.hook_load * state.axial.velocity.front();
+  if (is_fed(string.hoist)) power.hook = -state.hoist.pull * state.hoist.speed;
   power.hydraulic = -string.bit.hydraulic_force * sinking;
-  power.dampers += damper_power(string.axial, state.axial, {});
+  power.dampers += damper_power(string.axial, state.axial, {}) + line_now(string, state).damped;
   power.rock_push = state.weight_on_bit * sinking;
   power.source = state.source_force * sinking;
   power.drilling = state.weight_on_bit * state.rate_of_penetration;
@@ -165,6 +175,21 @@ void place_on_bottom(const DrillString& string, double weight, std::vector<doubl
     pull += string.weights[i];
     position[i - 1] = position[i] - pull / string.axial.stiffness[i];
   }
+}
+
+/// A string in balance under a block that is fed, sinking as the rock goes away.
+void hang_on_line(const DrillString& string, double weight, bool on_bottom, DrillState& state) {
+  HoistState& hoist = state.hoist;
+  place_on_bottom(string, weight, state.axial.position);
+  const double advance = state.rate_of_penetration;
+  const bool automatic = string.hoist.rule == HoistRule::autodriller;
+  hoist.speed = automatic ? std::min(advance, string.hoist.autodriller.fastest) : string.hoist.feed;
+  state.axial.velocity.assign(string.axial.size(), on_bottom ? advance : hoist.speed);
+  state.axial_room.predicted = state.axial.velocity;
+  hoist.pull = hoist.gauge = hanging_load(string) - weight;
+  hoist.block = state.axial.position.front() - hoist.pull / string.hoist.stiffness;
+  hoist.on_bottom = on_bottom;
+  if (automatic && on_bottom) hoist.drift = hoist.speed;
 }
 
 }  // namespace
@@ -225,8 +250,31 @@ bool is_finite(const DrillState& state) {
 
 double static_weight_on_bit(const DrillString& string) {
   if (string.axial.size() == 0) return string.bit.imposed_weight;
+  if (is_fed(string.hoist)) return std::min(string.hoist.weight_on_bit, hanging_load(string));
   const double weight = std::accumulate(string.weights.begin(), string.weights.end(), 0.0);
   return std::max(0.0, weight - string.drive.hook_load - string.bit.hydraulic_force);
+}
+
+double hanging_load(const DrillString& string) {
+  const double weight = std::accumulate(string.weights.begin(), string.weights.end(), 0.0);
+  return std::max(0.0, weight - string.bit.hydraulic_force);
+}
+
+double hook_load(const DrillString& string, const DrillState& state) {
+  return is_fed(string.hoist) ? state.hoist.pull : string.drive.hook_load;
+}
+
+Chain held_axial_chain(const DrillString& string) {
+  Chain chain = string.axial;
+  if (!is_fed(string.hoist) || chain.size() == 0) return chain;
+  chain.stiffness.front() = string.hoist.stiffness;
+  chain.damping.front() = string.hoist.damping;
+  return chain;
+}
+
+double planned_block_speed(const DrillString& string, DrillState& state, double h) {
+  if (!is_fed(string.hoist)) return 0.0;
+  return next_block_speed(string.hoist, state.hoist, hanging_load(string), state.time, h);
 }
 
 DrillState beginning(const DrillString& string, const BitRockSource& source, bool turning, double off_bottom) {
@@ -247,12 +295,19 @@ DrillState beginning(const DrillString& string, const BitRockSource& source, boo
     place_on_bottom(string, weight, state.axial.position);
   if (off_bottom == 0.0) state.rate_of_penetration = rate_of_penetration(advance_at(string.bit, rotation), weight);
   accept(state.smooth_advance, 0.0, state.rate_of_penetration);
+  if (is_fed(string.hoist)) hang_on_line(string, off_bottom > 0.0 ? 0.0 : weight, off_bottom == 0.0, state);
   settle(string, state, source, 0.0, 0.0);
   return state;
 }
 
 void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h) {
+  advance(string, state, source, h, planned_block_speed(string, state, h));
+}
+
+void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h, double block_speed) {
   state.time += h;
+  state.hoist.block += 0.5 * h * (state.hoist.speed + block_speed);
+  state.hoist.speed = block_speed;
   drift(state.axial, state.axial_room.predicted, h);
   drift(state.torsional, state.torsional_room.predicted, h);
   settle(string, state, source, h * state.torsional.velocity.back(), h);
@@ -260,7 +315,7 @@ void advance(const DrillString& string, DrillState& state, const BitRockSource& 
 
 double stored_energy(const DrillString& string, const DrillState& state) {
   return kinetic_energy(string.axial, state.axial) + kinetic_energy(string.torsional, state.torsional) +
-         spring_energy(string.axial, state.axial, {}) +
+         spring_energy(string.axial, state.axial, {}) + line_now(string, state).energy +
          spring_energy(string.torsional, state.torsional, drive_at(string.drive, state.time));
 }
 

@@ -7,6 +7,7 @@
 #include "runtime/drillstring/bit_rock.hpp"
 #include "runtime/drillstring/chain.hpp"
 #include "runtime/drillstring/excitation.hpp"
+#include "runtime/drillstring/hoist.hpp"
 #include "runtime/laws/top_drive_control.hpp"
 
 namespace bitrock::runtime {
@@ -18,7 +19,7 @@ struct TopDrive {
   double rotation = 0.0;                         ///< [rad/s] 0 or more, where it imposes speed
   double torque = 0.0;                           ///< [N m] where it does not
   double ramp = 0.0;                             ///< [s] both grow from 0 to full with `step5` in this time; 0: at once
-  double hook_load = 0.0;                        ///< [N] upwards on the first axial lump
+  double hook_load = 0.0;                        ///< [N] upwards on the first axial lump; of no hoist that is fed
   double since = 0.0;                            ///< [s] time at which it began to go to this rotation or torque
   double angle_then = 0.0, rotation_then = 0.0;  ///< [rad], [rad/s] at that time
   double torque_then = 0.0;                      ///< [N m] at that time
@@ -44,6 +45,7 @@ struct DrillString {
   std::vector<double> weights;      ///< [N] of each axial lump, downwards
   Chain torsional;                  ///< with the drive as first lump when that imposes torque or gives way
   TopDrive drive;                   ///< what turns the upper end
+  Hoist hoist;                      ///< what holds it; one that is fed has the axial spring above the first lump
   Friction wall_friction;           ///< of the wall on the string
   std::vector<double> wall_moment;  ///< [N m] normal force times radius at each torsional lump; empty: none
   BitRock bit;                      ///< what acts at the lower end
@@ -67,6 +69,7 @@ struct ChainRoom {
 struct DrillState : BitRockState {
   double time = 0.0;                     ///< [s]
   ChainMotion axial, torsional;          ///< of both chains
+  HoistState hoist;                      ///< of one that is fed
   std::vector<int> sliding;              ///< direction of each torsional lump where dry friction acts, 0: sticks
   EnergyFlows work, power;               ///< [J] so far, [W] at this instant
   ChainRoom axial_room, torsional_room;  ///< what a step needs in between
@@ -77,7 +80,8 @@ void require_consistent(const DrillString& string);
 
 /// State at the beginning of a string that is consistent. `turning`: already at the speed of the drive, without twist;
 /// otherwise at rest. The axial chain is in balance on the bottom when its weight exceeds hook load and jets;
-/// `off_bottom` [m] above 0 lifts the bit, unstretched.
+/// `off_bottom` [m] above 0 lifts the bit, unstretched. Under a hoist that is fed the string hangs in balance, on the
+/// bottom with its `weight_on_bit`, and sinks as the rock goes away; an autodriller has its integral there.
 DrillState beginning(const DrillString& string, const BitRockSource& source, bool turning, double off_bottom);
 
 /// **What** One step of `h` seconds.
@@ -91,6 +95,23 @@ DrillState beginning(const DrillString& string, const BitRockSource& source, boo
 /// instant: with the 0.1 s mean the loop of face and weight would oscillate. Takes no memory (a source may).
 void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h);
 
+/// The same with the speed of the block of a hoist that is fed [m/s] at the end of the step, which it comes to evenly;
+/// `planned_block_speed` is that of the case.
+void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h, double block_speed);
+
+/// What the rule of the hoist wants for the end of the next step `h`; what it measures goes on by that step. 0 where the
+/// hook load is imposed.
+double planned_block_speed(const DrillString& string, DrillState& state, double h);
+
+/// The chain as its modes and its stability have it: a hoist that is fed is the spring above the first lump, taut.
+Chain held_axial_chain(const DrillString& string);
+
+/// What the hook bears while the bit is off bottom [N]: weight less jets.
+double hanging_load(const DrillString& string);
+
+/// Hook load at this instant [N].
+double hook_load(const DrillString& string, const DrillState& state);
+
 /// What the top drive does at this instant.
 struct TopRotation {
   double speed = 0.0;   ///< [rad/s] of the drive
@@ -99,7 +120,8 @@ struct TopRotation {
 /// For any kind of drive.
 TopRotation top_rotation(const DrillString& string, const DrillState& state);
 
-/// Static weight on bit [N]: weight of the string less hook load and jets; imposed where it is imposed.
+/// Static weight on bit [N]: weight of the string less hook load and jets; imposed where it is imposed; under a hoist
+/// that is fed its `weight_on_bit`.
 double static_weight_on_bit(const DrillString& string);
 
 /// Where the bit is [m], downwards; on the face of the rock where there is no axial chain.

@@ -36,8 +36,30 @@ double advance_at(const DrillString& string) {
   return beginning(string, no_excitation(), true, 0.0).rate_of_penetration;
 }
 
+/// Of a hoist that is fed: what the rock asks for cannot be had.
+void warn_of_hoist(const DrillString& string, std::vector<std::string>& found) {
+  const Hoist& hoist = string.hoist;
+  if (!is_fed(hoist)) return;
+  const double hanging = hanging_load(string);
+  if (hoist.weight_on_bit > hanging)
+    found.push_back(
+        fmt::format("the bit is to bear {:.4g} kN, and the string hangs with {:.4g} kN: the line will go slack",
+                    hoist.weight_on_bit / kN, hanging / kN));
+  const bool imposed = string.bit.advance_law == AdvanceLaw::imposed || string.bit.advance_law == AdvanceLaw::none;
+  const double rock = string.bit.advance_law == AdvanceLaw::imposed ? string.bit.imposed_advance : 0.0;
+  if (hoist.rule == HoistRule::feed && imposed && hoist.feed != rock)
+    found.push_back(
+        fmt::format("the block goes down with {:.4g} m/h and the rock away with {:.4g} m/h, whatever the weight: "
+                    "the weight on bit has no balance",
+                    hoist.feed * 3600.0, rock * 3600.0));
+  if (hoist.rule == HoistRule::autodriller && hoist.autodriller.fastest < advance_at(string))
+    found.push_back(fmt::format("slack_off_m_per_s = {:.4g} is slower than the rock goes away under the weight that "
+                                "the autodriller is to hold, {:.4g} m/s",
+                                hoist.autodriller.fastest, advance_at(string)));
+}
+
 void warn_of_weight(const DrillCase& drill, const DrillString& string, double weight, std::vector<std::string>& found) {
-  if (string.axial.size() > 0 && weight == 0.0) {
+  if (string.axial.size() > 0 && weight == 0.0 && !is_fed(string.hoist)) {
     found.push_back(
         fmt::format("hook load {:.4g} kN and jets carry the whole string of {:.4g} kN: the bit will leave the rock and "
                     "not come back",
@@ -56,9 +78,12 @@ void warn_of_weight(const DrillCase& drill, const DrillString& string, double we
   const double diameter = drill.bit.diameter;
   if (weight <= most_weight_on_bit(drill.bit)) return;
   std::string origin = "imposed_weight_kN";
-  if (string.axial.size() > 0)
+  if (is_fed(string.hoist)) {
+    origin = "the hoist is fed for that";
+  } else if (string.axial.size() > 0) {
     origin = fmt::format("the string weighs {:.4g} kN, of which hook_load_kN = {:.4g} is held", weight_of(string) / kN,
                          string.drive.hook_load / kN);
+  }
   found.push_back(
       fmt::format("static weight on bit {:.4g} kN on a bit of {:.4g} mm: {:.3g} kN a mm, where bits bear about {:.2g} "
                   "(rule of thumb, not a maker's table); {}",
@@ -69,7 +94,7 @@ void warn_of_weight(const DrillCase& drill, const DrillString& string, double we
 void warn_of_beginning(const DrillCase& drill, const DrillString& string, double weight,
                        std::vector<std::string>& found) {
   const DrillSchedule& run = drill.run;
-  if (string.axial.size() > 0 && run.off_bottom > 0.0 && weight > 0.0) {
+  if (string.axial.size() > 0 && !is_fed(string.hoist) && run.off_bottom > 0.0 && weight > 0.0) {
     const double mass = std::accumulate(string.axial.inertia.begin(), string.axial.inertia.end(), 0.0);
     const double speed = std::sqrt(2.0 * weight / mass * run.off_bottom);
     found.push_back(
@@ -159,6 +184,7 @@ std::vector<std::string> warnings(const DrillCase& drill, const DrillString& str
   std::vector<std::string> found = warnings(drill.bit);
   const double weight = static_weight_on_bit(string);
   warn_of_weight(drill, string, weight, found);
+  warn_of_hoist(string, found);
   warn_of_drive(string, weight, found);
   if (drill.source.kind == SourceKind::bit && string.axial.size() == 0)
     found.push_back("without an axial chain the source's axial force has nothing to act on");

@@ -11,6 +11,7 @@ set(fmu_string_sources
     ${fmu_common} fmu/string_block.cpp fmu/string_slave.cpp fmu/string_start.cpp fmu/string_state.cpp
     fmu/string_values.cpp
     drillstring/bit_rock.cpp drillstring/chain.cpp drillstring/drill_string.cpp drillstring/excitation.cpp
+    drillstring/hoist.cpp
     well/bit_end.cpp well/rig.cpp well/segment_motion.cpp well/soundness.cpp well/split_top.cpp well/step.cpp
     well/stress.cpp well/top_end.cpp well/well_foot.cpp well/well_string.cpp)
 

@@ -22,12 +22,14 @@ struct Unit {
   const char* display_name;  ///< empty: none
   double display_factor;
 };
-constexpr std::array<Unit, 7> units{{{"rad/s", "rad=\"1\" s=\"-1\"", "rpm", 30.0 / pi},
+constexpr std::array<Unit, 9> units{{{"rad/s", "rad=\"1\" s=\"-1\"", "rpm", 30.0 / pi},
                                      {"rad", "rad=\"1\"", "deg", 180.0 / pi},
                                      {"m/s", "m=\"1\" s=\"-1\"", "m/h", 3600.0},
                                      {"m", "m=\"1\"", "mm", 1e3},
                                      {"s", "s=\"1\"", "", 1.0},
                                      {"N", "kg=\"1\" m=\"1\" s=\"-2\"", "kN", 1e-3},
+                                     {"kg", "kg=\"1\"", "", 1.0},
+                                     {"kg.m2", "kg=\"1\" m=\"2\"", "", 1.0},
                                      {"Pa", "kg=\"1\" m=\"-1\" s=\"-2\"", "MPa", 1e-6}}};
 constexpr const char* torque_unit =
     "    <Unit name=\"N.m\"><BaseUnit kg=\"1\" m=\"2\" s=\"-2\"/></Unit>\n";  // not J: nothing is shown in it

@@ -19,7 +19,7 @@
 namespace bitrock::fmu {
 
 inline constexpr std::uint64_t string_block_magic = 0x6b6c42676e727453ULL;  ///< "StrngBlk"
-inline constexpr std::uint64_t string_block_version = 1;                    ///< of the bytes
+inline constexpr std::uint64_t string_block_version = 2;                    ///< of the bytes
 
 /// A case that is ready to be run.
 struct StringContent {

@@ -4,6 +4,7 @@
 
 #include "runtime/fmu/model_description.hpp"
 #include "runtime/fmu/string_variables.hpp"
+#include "runtime/well/top_end.hpp"
 
 namespace bitrock::fmu {
 
@@ -13,6 +14,15 @@ constexpr const char* rig_list = R"(    <SimpleType name="Rig"><Enumeration>
       <Item name="plan" value="1"/><Item name="host" value="2"/>
     </Enumeration></SimpleType>
 )";
+constexpr const char* input_lists = R"(    <SimpleType name="DriveInput"><Enumeration>
+      <Item name="rotation" value="1"/><Item name="torque" value="2"/>
+    </Enumeration></SimpleType>
+    <SimpleType name="HoistInput"><Enumeration>
+      <Item name="block_speed" value="1"/><Item name="hook_load" value="2"/>
+    </Enumeration></SimpleType>
+)";
+static_assert(static_cast<int>(DriveInput::rotation) == 1 && static_cast<int>(DriveInput::torque) == 2);
+static_assert(static_cast<int>(HoistInput::block_speed) == 1 && static_cast<int>(HoistInput::hook_load) == 2);
 static_assert(static_cast<int>(RigDriver::plan) == 1 && static_cast<int>(RigDriver::host) == 2);
 
 /// Start value of an input or a parameter.
@@ -30,8 +40,16 @@ std::string start_of(unsigned reference, const StringSettings& settings) {
       return fmt::format("{}", settings.block_speed);
     case rig:
       return fmt::format("{}", settings.rig);
+    case drive_input:
+      return fmt::format("{}", settings.drive_by);
+    case hoist_input:
+      return fmt::format("{}", settings.hoist_by);
     case drive_ramp:
       return fmt::format("{}", settings.drive_ramp);
+    case drive_inertia:
+      return fmt::format("{}", settings.drive_inertia);
+    case block_mass:
+      return fmt::format("{}", settings.block_mass);
     case hole_friction_factor:
       return fmt::format("{}", settings.hole_friction);
     default:
@@ -39,7 +57,7 @@ std::string start_of(unsigned reference, const StringSettings& settings) {
   }
 }
 
-std::string bounds_of(unsigned reference) {
+std::string bounds_of(unsigned reference, const StringContent& content) {
   switch (reference) {
     case set_rotation:
     case set_hook_load:
@@ -49,6 +67,10 @@ std::string bounds_of(unsigned reference) {
     case seed:
     case clamped:
       return " min=\"0\"";
+    case drive_inertia:
+      return fmt::format(" min=\"{}\"", least_drive_inertia(content.well, content.step));
+    case block_mass:
+      return fmt::format(" min=\"{}\"", least_block_mass(content.well, content.step));
     default:
       return "";
   }
@@ -62,6 +84,11 @@ std::string about(const StringContent& content) {
                      content.plane.axial.size(), content.plane.torsional.size(), content.step * 1e3);
 }
 
+std::string lists_of(const StringContent& content) {
+  if (content.in_well) return std::string(rig_list) + input_lists;
+  return is_fed(content.plane.hoist) ? rig_list : "";
+}
+
 }  // namespace
 
 std::string string_description(const StringContent& content, const StringNames& names, const std::string& guid) {
@@ -70,13 +97,13 @@ std::string string_description(const StringContent& content, const StringNames& 
                                .about = about(content),
                                .identifier = string_identifier,
                                .guid = guid,
-                               .lists = content.in_well ? rig_list : "",
+                               .lists = lists_of(content),
                                .stop_time = names.duration,
                                .step = names.sample};
   std::vector<DescribedVariable>& variables = description.variables;
   for (unsigned i = 0; i < string_variable_count; ++i) {
     if (!has(content, i)) continue;
-    variables.push_back(described(i, string_variables[i], start_of(i, settings), bounds_of(i)));
+    variables.push_back(described(i, string_variables[i], start_of(i, settings), bounds_of(i, content)));
   }
   for (unsigned i = 0; i < names.stress_points.size(); ++i) {
     variables.push_back(described(first_stress + i, stress_variable, "", ""));

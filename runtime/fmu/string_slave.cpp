@@ -40,21 +40,32 @@ const char* hoist_objection(StringSlave& slave, double added) {
   return nullptr;
 }
 
+/// What the host wants of hoist and drive in a well.
+runtime::RigControls controls_of(const StringSettings& settings) {
+  return {.feed_speed = settings.block_speed,
+          .drive_speed = settings.rotation,
+          .gives_torque = settings.drive_by == static_cast<int>(DriveInput::torque),
+          .torque = settings.torque,
+          .is_pulled = settings.hoist_by == static_cast<int>(HoistInput::hook_load),
+          .pull = settings.hook_load};
+}
+
 const char* step_once(StringSlave& slave) {
   const StringContent& content = slave.block.content;
   StringMoment& moment = slave.moment;
+  const bool host = slave.settings.rig == static_cast<int>(RigDriver::host);
   if (content.in_well) {
     runtime::RigState rig_after = moment.rig;  // the plan goes on also where the host does not follow it
     runtime::RigControls controls = runtime::controls(content.plan, rig_after, moment.well, content.step);
-    if (slave.settings.rig == static_cast<int>(RigDriver::host))
-      controls = {.feed_speed = slave.settings.block_speed, .drive_speed = slave.settings.rotation};
-    if (const char* const reason = hoist_objection(slave, controls.feed_speed * content.step); reason != nullptr)
-      return reason;
+    if (host) controls = controls_of(slave.settings);
+    const double feed_speed = controls.is_pulled ? moment.well.top.block_speed : controls.feed_speed;
+    if (const char* const reason = hoist_objection(slave, feed_speed * content.step); reason != nullptr) return reason;
     moment.rig = rig_after;
     moment.controls = controls;
     advance(slave.well, moment.well, controls, slave.source, content.step);
   } else {
-    advance(slave.plane, moment.plane, slave.source, content.step);
+    const double planned = planned_block_speed(slave.plane, moment.plane, content.step);  // goes on in any case
+    advance(slave.plane, moment.plane, slave.source, content.step, host ? slave.settings.block_speed : planned);
   }
   ++moment.steps;
   return slave.fault == BITROCK_OK ? nullptr : bitrock_status_text(slave.fault);

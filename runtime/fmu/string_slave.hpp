@@ -14,6 +14,7 @@ struct StringMoment {
   runtime::TopDrive drive;        ///< in two dimensions
   double weight_on_bit = 0.0;     ///< [N] in two dimensions without an axial chain
   double face = 0.0;              ///< [m] in two dimensions: of the rock at the beginning
+  double block = 0.0;             ///< [m] in two dimensions: of the hoist at the beginning
   runtime::DrillState plane;      ///< in two dimensions
   runtime::RigState rig;          ///< in a well: where the plan stands
   runtime::RigControls controls;  ///< in a well: of the last step
@@ -38,13 +39,13 @@ struct StringSlave : Slave {
 };
 
 /// Why these cannot be used; null when they can.
-const char* objection_to(const StringSettings& settings);
+const char* objection_to(const StringContent& content, const StringSettings& settings);
 
 /// The string at its start, for the present settings; the reason where it cannot begin.
 const char* begin(StringSlave& slave);
 /// What the string feels, with the seed of the settings.
 void renew_source(StringSlave& slave);
-/// Drive, imposed weight and friction of the hole into the parts that do not change in a step.
+/// Drive, imposed weight, what the host's drive and block weigh, and friction of the hole into the parts that do not change in a step.
 void take_from_moment(StringSlave& slave);
 
 /// **What** Steps of the string from its start to a communication point.

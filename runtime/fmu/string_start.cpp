@@ -44,6 +44,7 @@ void begin_string(StringSlave& slave) {
   if (!content.in_well) {
     moment.plane = runtime::beginning(slave.plane, slave.source, content.turning, content.off_bottom);
     moment.face = moment.plane.face;
+    moment.block = moment.plane.hoist.block;
     return;
   }
   moment.rig = {};
@@ -73,6 +74,8 @@ void renew_source(StringSlave& slave) {
 void take_from_moment(StringSlave& slave) {
   slave.plane.drive = slave.moment.drive;
   slave.plane.bit.imposed_weight = slave.moment.weight_on_bit;
+  slave.well.drive_inertia = slave.settings.drive_inertia;
+  slave.well.block_mass = slave.settings.block_mass;
   const std::vector<runtime::HolePiece>& given = slave.block.content.well.hole;
   for (std::size_t i = 0; i < given.size(); ++i)
     slave.well.hole[i].friction = slave.settings.hole_friction * given[i].friction;

@@ -15,7 +15,7 @@ namespace bitrock::fmu {
 namespace {
 
 struct StringStateHead {
-  std::uint64_t magic = 0x3174536b72745342ULL;  ///< the last digit is the format's version
+  std::uint64_t magic = 0x3274536b72745342ULL;  ///< the last digit is the format's version
   std::uint64_t bytes = 0;                      ///< of the whole state
   std::uint64_t checksum = 0;                   ///< of all that follows it, but the core's state, which has its own
   std::uint64_t block_checksum = 0;             ///< states belong to an FMU
@@ -32,14 +32,16 @@ void pass(Io& io, Clock& clock) {
 
 template <class Io>
 void pass(Io& io, StringSettings& settings) {
-  auto& [rotation, torque, hook, weight, block, rig_by, ramp, friction, seed_of] = settings;
-  pass_all(io, rotation, torque, hook, weight, block, rig_by, ramp, friction, seed_of);
+  auto& [rotation, torque, hook, weight, block, rig_by, drive_by, hoist_by, ramp, inertia, mass, friction, seed_of] =
+      settings;
+  pass_all(io, rotation, torque, hook, weight, block, rig_by, drive_by, hoist_by, ramp, inertia, mass, friction,
+           seed_of);
 }
 
 template <class Io>
 void pass(Io& io, StringMoment& moment) {
-  auto& [steps, start, drive, weight, face, plane, rig_state, controls, well] = moment;
-  pass_all(io, steps, start, drive, weight, face, plane, rig_state, controls.feed_speed, controls.drive_speed, well);
+  auto& [steps, start, drive, weight, face, block, plane, rig_state, controls, well] = moment;
+  pass_all(io, steps, start, drive, weight, face, block, plane, rig_state, controls, well);
 }
 
 namespace {
@@ -128,7 +130,7 @@ const char* restore(Slave& slave, const char* state, std::size_t size) {
   Clock clock;
   StringSettings settings;
   pass_all(reader, seed_of, clock, settings, whole.tried);
-  if (!reader.good || objection_to(settings) != nullptr || !is_sound(whole, clock, whole.tried) ||
+  if (!reader.good || objection_to(whole.block.content, settings) != nullptr || !is_sound(whole, clock, whole.tried) ||
       !restore_core(whole, seed_of, reader.at, size - sizeof(head) - words))
     return "the state does not fit the string";
   whole.clock = clock;

@@ -94,11 +94,32 @@ void pass(Io& io, TopDrive& drive) {
   pass_all(io, speed, rotation, torque, ramp, hook_load, since, angle_then, rotation_then, torque_then, control);
 }
 
+/// All of an `Autodriller`.
+template <class Io>
+void pass(Io& io, Autodriller& driller) {
+  auto& [proportional, integral, fastest] = driller;
+  pass_all(io, proportional, integral, fastest);
+}
+
+/// All of a `Hoist`.
+template <class Io>
+void pass(Io& io, Hoist& hoist) {
+  auto& [rule, stiffness, damping, feed, weight, autodriller] = hoist;
+  pass_all(io, rule, stiffness, damping, feed, weight, autodriller);
+}
+
+/// All of a `HoistState`.
+template <class Io>
+void pass(Io& io, HoistState& hoist) {
+  auto& [block, speed, pull, gauge, drift, on_bottom] = hoist;
+  pass_all(io, block, speed, pull, gauge, drift, on_bottom);
+}
+
 /// All of a `DrillString`.
 template <class Io>
 void pass(Io& io, DrillString& string) {
-  auto& [axial, weights, torsional, drive, friction, moment, bit] = string;
-  pass_all(io, axial, weights, torsional, drive, friction, moment, bit);
+  auto& [axial, weights, torsional, drive, hoist, friction, moment, bit] = string;
+  pass_all(io, axial, weights, torsional, drive, hoist, friction, moment, bit);
 }
 
 /// All of a `EnergyFlows`.
@@ -125,10 +146,10 @@ void pass(Io& io, ChainRoom& room) {
 /// All of a `DrillState`.
 template <class Io>
 void pass(Io& io, DrillState& s) {
-  static_assert(sizeof(DrillState) == sizeof(BitRockState) + sizeof(double) + 2 * sizeof(ChainMotion) +
+  static_assert(sizeof(DrillState) == sizeof(BitRockState) + sizeof(double) + 2 * sizeof(ChainMotion) + sizeof(HoistState) +
                                           sizeof(std::vector<int>) + 2 * sizeof(EnergyFlows) + 2 * sizeof(ChainRoom));
   pass(io, static_cast<BitRockState&>(s));
-  pass_all(io, s.time, s.axial, s.torsional, s.sliding, s.work, s.power, s.axial_room, s.torsional_room);
+  pass_all(io, s.time, s.axial, s.torsional, s.hoist, s.sliding, s.work, s.power, s.axial_room, s.torsional_room);
 }
 
 // a string in a well
@@ -164,20 +185,13 @@ void pass(Io& io, HolePiece& piece) {
 /// All of a `WellString`.
 template <class Io>
 void pass(Io& io, WellString& string) {
-  auto& [sections, damping, hole, wall, upper_end, growth, pushes, control, longest_grown, guided, gauge, on_rock, bit,
-         bit_mass, bit_inertia, tip_force, tip_moment, plain] = string;
+  auto& [sections, damping, hole, wall, upper_end, growth, pushes, control, drive_inertia, block_mass, longest_grown, guided,
+         gauge, on_rock, bit, bit_mass, bit_inertia, tip_force, tip_moment, plain] = string;
   auto& [axial, shear, torsion, bending] = damping;
   auto& [stiffness, of_wall] = wall;
   pass_all(io, sections, axial, shear, torsion, bending, hole, stiffness, of_wall, upper_end, growth, pushes, control,
-           longest_grown);
+           drive_inertia, block_mass, longest_grown);
   pass_all(io, guided, gauge, on_rock, bit, bit_mass, bit_inertia, tip_force, tip_moment, plain);
-}
-
-/// All of an `Autodriller`.
-template <class Io>
-void pass(Io& io, Autodriller& driller) {
-  auto& [proportional, integral, fastest] = driller;
-  pass_all(io, proportional, integral, fastest);
 }
 
 /// All of a `RigPlan`.
@@ -206,8 +220,8 @@ void pass(Io& io, StressPoint& point) {
 /// All of a `TopState`.
 template <class Io>
 void pass(Io& io, TopState& top) {
-  auto& [length, fed, reference, angle, speed, hook_load, torque, set_angle, set_speed] = top;
-  pass_all(io, length, fed, reference, angle, speed, hook_load, torque, set_angle, set_speed);
+  auto& [length, fed, reference, angle, speed, hook_load, torque, set_angle, set_speed, block_speed, pulled_from] = top;
+  pass_all(io, length, fed, reference, angle, speed, hook_load, torque, set_angle, set_speed, block_speed, pulled_from);
 }
 
 /// All of a `BitState`.
@@ -223,6 +237,13 @@ template <class Io>
 void pass(Io& io, WellWork& work) {
   auto& [hoist, drive, growth, tip, dampers, bit] = work;
   pass_all(io, hoist, drive, growth, tip, dampers, bit);
+}
+
+/// All of a `RigControls`.
+template <class Io>
+void pass(Io& io, RigControls& controls) {
+  auto& [feed, drive, gives_torque, torque, is_pulled, pull] = controls;
+  pass_all(io, feed, drive, gives_torque, torque, is_pulled, pull);
 }
 
 /// All of a `WellStringState`.

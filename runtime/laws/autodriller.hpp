@@ -24,6 +24,15 @@ inline Autodriller autodriller_for(double stiffness, double time, double fastest
   return {.proportional = 2.0 / (stiffness * time), .integral = 1.0 / (stiffness * time * time), .fastest = fastest};
 }
 
+inline constexpr double load_smoothing = 1.0;  ///< [s] of loads, some periods of the first axial mode
+
+/// **What** A load as the rig tells it: smoothed.
+/// **Equation** L += h / min(t_s, t) (load - L): the mean at first, then a lag of the first order.
+/// **Symbols** t_s [s] `load_smoothing`; t [s] since the rig began to measure; h [s] step.
+inline double smoothed_load(double before, double load, double time, double h) {
+  return before + std::min(1.0, h / std::min(load_smoothing, std::max(time, h))) * (load - before);
+}
+
 /// Feed [m/s] for a weight [N] that is missing, over a step of h [s]. `drift` [m/s] is the integral so far; it stands
 /// still while the feed is at a limit and would go beyond.
 inline double feed_of(const Autodriller& control, double missing, double h, double& drift) {

@@ -9,6 +9,8 @@
 
 namespace bitrock::runtime {
 
+inline constexpr double usual_drive_inertia = 2900.0;  ///< [kg m^2] of a top drive with its motors [Simulator4nDOF]
+
 /// **What** The drive as the string feels it: an inertia that a spring and a damper pull along with the set speed.
 /// **Equation** J w' = C (W - w) + k (Phi - phi) - T. Towards the string it is an impedance Z = C + i (J w - k / w).
 /// A wave on a string of impedance zeta = sqrt(rho G) j comes back from it by the factor r = (Z - zeta) / (Z + zeta).

@@ -91,6 +91,7 @@ WellString assemble(const WellCase& well) {
   if (drill.control.answer != DriveAnswer::stiff)  // tuned to the string that drills
     string.control =
         control_of(drill, 1.0 / natural_frequencies(chains_of(string, well.plan.run_in).torsional).front());
+  if (drill.drive_inertia > 0.0) string.drive_inertia = drill.drive_inertia;
   // pipe of the trip, of going to bottom, and of drilling
   const double depth = well.bottom_depth > 0.0 ? std::max(0.0, well.bottom_depth - total) : well.plan.run_in;
   const double fastest = well.plan.holds_weight ? well.plan.autodriller.fastest : 2.0 * well.plan.drilling_speed;

@@ -34,6 +34,7 @@ void require_consistent(const WellString& string) {
     }
   }
   if (!(string.wall.stiffness > 0.0 && string.wall.damping >= 0.0)) refuse("the wall's spring must be above 0");
+  if (!(string.drive_inertia > 0.0 && string.block_mass > 0.0)) refuse("drive and block must have inertia and mass");
   if (string.guided && string.hole.empty()) refuse("the bit is guided, but there is no hole");
   if (string.on_rock && string.hole.empty()) refuse("the bit is on rock, but there is no hole");
   if (string.upper_end != UpperEnd::table && string.longest_grown > 0.0) refuse("only a string at a table grows");

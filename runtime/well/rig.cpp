@@ -8,8 +8,6 @@ namespace bitrock::runtime {
 
 namespace {
 
-constexpr double smoothing = 1.0;  // [s] of loads, some periods of the first axial mode
-
 /// 0 to 1 within a ramp, in the middle of the step.
 double risen(double time, double ramp) {
   return ramp > 0.0 ? step5(time, 0.0, 0.0, ramp, 1.0) : 1.0;
@@ -24,9 +22,9 @@ double drilling_speed(const RigPlan& plan, const BitState& bit) {
 
 RigControls controls(const RigPlan& plan, RigState& rig, const WellStringState& state, double h) {
   const BitState& bit = state.bit;
-  const double newer = std::min(1.0, h / smoothing);
+  const double newer = std::min(1.0, h / load_smoothing);
   rig.felt += newer * (bit.weight_on_bit + bit.source_force - rig.felt);
-  rig.hook += std::min(1.0, h / std::min(smoothing, std::max(state.time, h))) * (state.top.hook_load - rig.hook);
+  rig.hook = smoothed_load(rig.hook, state.top.hook_load, state.time, h);
   const double since = state.time - rig.began, middle = since + 0.5 * h;
   const auto next = [&](RigPhase phase) {
     rig.phase = phase;

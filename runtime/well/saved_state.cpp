@@ -12,7 +12,7 @@ namespace bitrock::runtime {
 
 namespace {
 
-constexpr std::uint64_t format_1 = 0x314c4c4557544942;  // "BITWELL1" as it lies in memory
+constexpr std::uint64_t format_2 = 0x324c4c4557544942;  // "BITWELL2" as it lies in memory
 
 /// All but the columns.
 struct Head {
@@ -35,7 +35,7 @@ void save(const WellStringState& state, std::span<std::byte> bytes) {
   if (bytes.size() != state_size(state)) throw base::InputError("state of a string: wrong number of bytes");
   Head head;
   std::memset(static_cast<void*>(&head), 0, sizeof head);  // also between the members: the same state, the same bytes
-  head.format = format_1;
+  head.format = format_2;
   head.half = state.columns.half;
   head.count = state.count;
   head.time = state.time;
@@ -51,7 +51,7 @@ void restore(WellStringState& state, std::span<const std::byte> bytes) {
   if (bytes.size() != state_size(state)) refuse();
   Head head;
   std::memcpy(static_cast<void*>(&head), bytes.data(), sizeof head);
-  if (head.format != format_1 || head.half != state.columns.half || head.count == 0 ||
+  if (head.format != format_2 || head.half != state.columns.half || head.count == 0 ||
       head.count + 1 > state.columns.stride())
     refuse();
   state.count = head.count;

@@ -91,15 +91,19 @@ const Passes& passes(bool plain) {
 void advance(const WellString& string, WellStringState& state, const RigControls& controls, const BitRockSource& source,
              double h) {
   const Passes& pass = passes(string.plain_vectors);
-  // half before and half after the forces, which then see the pipe of the middle of the step
-  lengthen_top(string, state, controls, 0.5 * h);
+  // half before and half after the forces, which then see the pipe of the middle of the step; a block that is pulled
+  // has the speed of half a step before, and then that of half a step after
+  RigControls now = controls;
+  if (controls.is_pulled) now.feed_speed = state.top.block_speed;
+  lengthen_top(string, state, now, 0.5 * h);
   const std::size_t joints = state.count - (string.upper_end == UpperEnd::clamped ? 0 : 1);
   pass.load(string, state.columns, joints, h);
-  load_table(string, state, controls, h);
+  load_table(string, state, now, h);
   load_bit(string, state, source, h);
   pass.kick(state.columns, state.count, joints, h, !string.hole.empty());
   finish_bit(string, state, h);
-  lengthen_top(string, state, controls, 0.5 * h);
+  if (controls.is_pulled) now.feed_speed = state.top.block_speed;
+  lengthen_top(string, state, now, 0.5 * h);
   pass.drift(state.columns, state.count, h);
   state.time += h;
 }

@@ -58,7 +58,34 @@ double turn_drive(const DriveControl& control, WellStringState& state, double se
   return after;
 }
 
+/// The same of a drive under the torque of its motor. What it stores is counted where the energy of the drive is: with
+/// a stiff drive it is not the string's.
+double drive_by_torque(const WellString& string, WellStringState& state, double motor, double torque, double h) {
+  const double before = state.top.drive_speed, after = before + h * (motor - torque) / string.drive_inertia;
+  state.work.drive +=
+      h * torque * 0.5 * (before + after) + 0.5 * string.control.inertia * (after * after - before * before);
+  return after;
+}
+
+/// Least inertia of what a spring of `stiffness` and its damper hold to the uppermost segment, for a stable step.
+double least_inertia(double stiffness, double beta, double h) {
+  const double bound = h / 0.8;  // as `longest_allowed_step`
+  return 2.0 * stiffness * 0.25 * bound * bound * (1.0 + 2.0 * beta / bound);
+}
+
 }  // namespace
+
+double least_drive_inertia(const WellString& string, double h) {
+  const std::size_t top = segment_count(string) - 1;
+  const double stiffness = 2.0 * section_of(string, top).beam.torsion / segment_length_of(string, top);
+  return least_inertia(stiffness, string.damping.torsion, h);
+}
+
+double least_block_mass(const WellString& string, double h) {
+  const std::size_t top = segment_count(string) - 1;
+  const double stiffness = 2.0 * section_of(string, top).beam.axial / segment_length_of(string, top);
+  return least_inertia(stiffness, string.damping.axial, h);
+}
 
 TableSprings table_springs(const WellString& string, const WellStringState& state) {
   const Beam& beam = section_of(string, state.count - 1).beam;
@@ -111,7 +138,7 @@ void load_table(const WellString& string, WellStringState& state, const RigContr
     if (low == 0.0 || pull + damping.z < 0.0) damping.z = -pull;
   }
   const Vector3 force = -(Vector3{springs.sideways * end.x, springs.sideways * end.y, springs.hoist * low} + damping);
-  const bool gives_way = string.control.inertia > 0.0;
+  const bool gives_way = string.control.inertia > 0.0 || controls.gives_torque;
   const double behind = (gives_way ? state.top.drive_speed : controls.drive_speed) - spin_of(columns, top);
   const double braking = beta.torsion * springs.drive * behind;
   const double torque = springs.drive * (state.top.drive_angle - columns.at(turns, top)) + braking;
@@ -121,13 +148,24 @@ void load_table(const WellString& string, WellStringState& state, const RigContr
   state.top.drive_torque = torque;
   state.work.dampers += h * (dot(damping, stretching) + braking * behind);
   state.work.growth -= h * controls.feed_speed * dot(damping, d);
-  if (gives_way) {
+  state.top.block_speed = controls.feed_speed;
+  if (controls.is_pulled) {
+    const double lighter = section_of(string, top).weight * (state.top.fed - state.top.pulled_from);
+    state.top.block_speed += h * (state.top.hook_load - lighter - controls.pull) / string.block_mass;
+  } else {
+    state.top.pulled_from = state.top.fed;
+  }
+  if (controls.gives_torque) {
+    state.top.drive_speed = drive_by_torque(string, state, controls.torque, torque, h);
+    state.top.set_speed = state.top.drive_speed;
+  } else if (gives_way) {
     state.top.drive_speed = turn_drive(string.control, state, controls.drive_speed, torque, h);
   } else {
     state.work.drive += h * torque * 0.5 * (controls.drive_speed + state.top.drive_speed);
     state.top.drive_speed = controls.drive_speed;
   }
   state.top.drive_angle += h * state.top.drive_speed;
+  if (controls.gives_torque) state.top.set_angle = state.top.drive_angle;  // speed control goes on from there
 }
 
 }  // namespace bitrock::runtime

@@ -13,6 +13,10 @@
 
 namespace bitrock::runtime {
 
+/// Of travelling block, hook and top drive, which move together: some 10 t and 12 t for rigs of 500 t, as recalled from
+/// makers' data sheets, not from a table [kg]. A heavier one answers later.
+inline constexpr double usual_block_mass = 22e3;
+
 /// A stretch of string of one kind, cut into segments of equal length.
 struct StringSection {
   Beam beam;                    ///< of the pipe
@@ -56,6 +60,8 @@ struct WellString {
   Growth growth = Growth::split;        ///< at the table
   bool hoist_pushes = false;            ///< a hoist that holds both ways; otherwise a line, which goes slack
   DriveControl control;                 ///< of a drive at the table that gives way; without inertia: a stiff one
+  double drive_inertia = usual_drive_inertia;  ///< [kg m^2] of a drive that gives a torque (`RigControls`)
+  double block_mass = usual_block_mass;        ///< [kg] of a block that a pull moves (`RigControls`)
   double longest_grown = 0.0;           ///< [m] most pipe that is added
   bool guided = false;                  ///< the lower end is held on the centre line of the hole
   double gauge_radius = 0.0;            ///< [m] of a guided bit that rubs on the hole like a joint; 0: it does not
@@ -69,8 +75,13 @@ struct WellString {
 
 /// What the rig does in one step.
 struct RigControls {
-  double feed_speed = 0.0;   ///< [m/s] of new pipe through the table, downwards
-  double drive_speed = 0.0;  ///< [rad/s] of the drive; of one that gives way, the set speed
+  double feed_speed = 0.0;    ///< [m/s] of new pipe through the table, downwards
+  double drive_speed = 0.0;   ///< [rad/s] of the drive; of one that gives way, the set speed
+  bool gives_torque = false;  ///< the drive is an inertia under `torque` instead
+  double torque = 0.0;        ///< [N m] of the motor, forward
+  bool is_pulled = false;     ///< the block is a mass under `pull` instead, and feeds with the speed that it comes to
+  double pull = 0.0;          ///< [N] of the drill line, upwards, less the weight of block, drive and the pipe above the
+                              ///< table: the hook load that it is in balance with
 };
 
 /// At the table.
@@ -84,6 +95,8 @@ struct TopState {
   double drive_torque = 0.0;  ///< [N m] of the drive on the string, forward
   double set_angle = 0.0;     ///< [rad] that a drive which gives way is to have turned
   double set_speed = 0.0;     ///< [rad/s] that it was to have in the last step
+  double block_speed = 0.0;   ///< [m/s] of the hoist in the last step, downwards
+  double pulled_from = 0.0;   ///< [m] `fed` when the block began to be pulled; now, while it is not
 };
 
 /// At the bit.

@@ -73,6 +73,8 @@ void require_mappable(const DrillMap& map, const std::string& file) {
   if (!map.drill.drive.imposes_speed)
     throw base::InputError(file +
                            ": the top drive imposes a torque; a map over its speed needs one that imposes speed");
+  if (is_fed(map.drill.hoist))
+    throw base::InputError(file + ": the hoist is fed; a map over hook loads needs top_drive.hoist = 'load'");
   const runtime::DrillString string = runtime::assemble(map.drill);
   if (string.axial.size() == 0) throw base::InputError(file + ": the string has no axial chain, and so no hook load");
   runtime::require_stable(map.drill, string);

@@ -23,6 +23,18 @@ std::string drive_words(const runtime::TopDrive& drive) {
                              : fmt::format("{:.4g} N m", drive.torque);
 }
 
+std::string hook_words(const runtime::DrillCase& drill) {
+  switch (drill.hoist.rule) {
+    case runtime::HoistRule::feed:
+      return fmt::format("by a feed of {:.4g} m/h", drill.hoist.feed / m_per_h);
+    case runtime::HoistRule::autodriller:
+      return fmt::format("by an autodriller for {:.4g} kN", drill.hoist.weight_on_bit / kN);
+    case runtime::HoistRule::load:
+      break;
+  }
+  return fmt::format("{:.4g}", drill.drive.hook_load / kN);
+}
+
 std::string listed(const std::vector<double>& frequencies) {
   constexpr std::size_t most = 4;
   std::string text;
@@ -47,8 +59,7 @@ report::Table case_table(const std::vector<ShownRun>& runs) {
       {{"case", [](const ShownRun& run) { return run.file.drill.name; }},
        {"rock", [](const ShownRun& run) { return run.file.drill.rock.empty() ? "-" : run.file.drill.rock; }},
        {"top drive", [](const ShownRun& run) { return drive_words(run.file.drill.drive); }},
-       {"hook load [kN]",
-        [](const ShownRun& run) { return fmt::format("{:.4g}", run.file.drill.drive.hook_load / kN); }},
+       {"hook load [kN]", [](const ShownRun& run) { return hook_words(run.file.drill); }},
        {"excitation", [](const ShownRun& run) { return source_words(run.file.drill.source, run.file.model); }},
        {"run, settling [s]",
         [](const ShownRun& run) {
@@ -98,6 +109,13 @@ report::Table summary_table(const std::vector<ShownRun>& runs) {
   add_spread(rows, "force of the source [kN]", &Summary::source_force, kN);
   add_spread(rows, "torque of the source [N m]", &Summary::source_torque, 1.0);
   add_spread(rows, "rate of penetration [m/h]", &Summary::rop, m_per_h);
+  const auto fed = [](const ShownRun& run) { return run.file.run.summary.hook_load.has_value(); };
+  if (std::any_of(runs.begin(), runs.end(), fed))
+    rows.push_back({"hook load [kN]", [fed](const ShownRun& run) {
+                      if (!fed(run)) return fmt::format("{:.4g}", run.file.drill.drive.hook_load / kN);
+                      const runtime::Spread& seen = *run.file.run.summary.hook_load;
+                      return fmt::format("{:.4g} \u00b1 {:.3g}", seen.mean / kN, seen.deviation / kN);
+                    }});
   rows.push_back({"drilled [mm]", number(&Summary::drilled, mm)});
   rows.push_back({"strongest in bit speed [Hz]", [](const ShownRun& run) { return strongest(run.bit_speed); }});
   rows.push_back({"strongest in torque [Hz]", [](const ShownRun& run) { return strongest(run.torque); }});

@@ -44,6 +44,7 @@ nlohmann::json as_json(const runtime::DrillSummary& s) {
           {"source_force_N", spread_json(s.source_force, 1.0)},
           {"source_torque_N_m", spread_json(s.source_torque, 1.0)},
           {"rop_m_per_h", spread_json(s.rop, m_per_h)},
+          {"hook_load_N", s.hook_load ? spread_json(*s.hook_load, 1.0) : nullptr},
           {"static_weight_on_bit_N", s.static_weight_on_bit},
           {"severity", s.severity},
           {"share_at_rest", s.share_at_rest},

@@ -22,6 +22,7 @@ std::string drill_lines(const runtime::DrillCase& drill, const runtime::DrillRun
          line("bit rotation", "rpm", s.bit_rotation, base::rpm) + line("weight on bit", "kN", s.weight_on_bit, 1e3) +
          line("rock on bit in all", "kN", s.total_force, 1e3) + line("torque on bit", "N m", s.torque, 1.0) +
          line("rate of penetration", "m/h", s.rop, 1.0 / 3600.0) +
+         (s.hook_load ? line("hook load", "kN", *s.hook_load, 1e3) : "") +
          fmt::format(
              "static weight on bit {:.4g} kN; stick-slip severity {:.3g}; bit at rest {:.3g} %, backwards {:.3g} %, "
              "off bottom {:.3g} % of the time; drilled {:.4g} mm\nenergy lost by the solver {:.2g} %",
