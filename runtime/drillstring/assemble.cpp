@@ -65,8 +65,15 @@ void require_sensible(const std::string& name, const char* direction, const Chai
 }
 
 /// The hoist of the case: gains of an autodriller by the string, and where the rock of a steady feed is in balance.
-Hoist hoist_of(const DrillCase& drill, const DrillString& string) {
-  Hoist hoist = drill.hoist;
+Hoist hoist_of(const DrillCase& drill, DrillString string) {
+  Hoist& hoist = string.hoist;
+  hoist = drill.hoist;
+  if (!drill.pipes.empty()) {  // in a row with the line; its damper takes as much of a slow motion as it did
+    hoist.stiffness = 1.0 / (1.0 / drill.hoist.stiffness +
+                             compliance_above(drill.pipes, drill.axial_lumps, drill.lumping));
+    const double share = hoist.stiffness / drill.hoist.stiffness;
+    hoist.damping *= share * share;
+  }
   if (hoist.rule == HoistRule::autodriller)
     hoist.autodriller =
         autodriller_for(stiffness_below_block(string), drill.autodriller_time, drill.hoist.autodriller.fastest);
@@ -137,10 +144,7 @@ DrillString assemble(const DrillCase& drill) {
   string.torsional.wall_damping.back() += drill.bit_damping;
 
   string.drive = drill.drive;
-  if (is_fed(drill.hoist)) {
-    string.hoist = drill.hoist;
-    string.hoist = hoist_of(drill, string);
-  }
+  if (is_fed(drill.hoist)) string.hoist = hoist_of(drill, string);
   string.wall_friction = drill.wall_friction;
   if (drill.wall_friction.law != FrictionLaw::none) {
     for (const double force : drill.wall_force) string.wall_moment.push_back(force * drill.wall_radius);

@@ -8,6 +8,15 @@ namespace bitrock::runtime {
 
 namespace {
 
+/// Where a lump sits in its stretch.
+double place_of(Lumping lumping) {
+  return lumping == Lumping::middle ? 0.5 : 1.0;
+}
+
+double axial_compliance(const PipeSection& pipe) {
+  return 1.0 / (pipe.youngs_modulus * area(pipe));
+}
+
 double total_length(const std::vector<PipeSection>& pipes) {
   double length = 0.0;
   for (const PipeSection& pipe : pipes) length += pipe.length;
@@ -32,7 +41,7 @@ Chain chain_of(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping
                const Inertia& inertia, const Compliance& compliance) {
   Chain chain;
   const double stretch = total_length(pipes) / lumps;
-  const double place = lumping == Lumping::middle ? 0.5 : 1.0;
+  const double place = place_of(lumping);
   for (int i = 0; i < lumps; ++i) {
     const double above = i == 0 ? 0.0 : (i - 1 + place) * stretch, here = (i + place) * stretch;
     const double mass = integral(pipes, i * stretch, (i + 1) * stretch, inertia);
@@ -70,7 +79,11 @@ double torsional_impedance(const PipeSection& pipe) {
 
 Chain axial_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping, double damping_ratio) {
   return chain_of(pipes, lumps, lumping, damping_ratio, true, mass_per_length,
-                  [](const PipeSection& pipe) { return 1.0 / (pipe.youngs_modulus * area(pipe)); });
+                  axial_compliance);
+}
+
+double compliance_above(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping) {
+  return integral(pipes, 0.0, place_of(lumping) * total_length(pipes) / lumps, axial_compliance);
 }
 
 Chain torsional_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping, double damping_ratio) {

@@ -52,8 +52,11 @@ double torsional_impedance(const PipeSection& pipe);
 /// **Symbols** z [m] along the string; E, G [Pa]; zeta [1] damping ratio of a pair.
 /// **Source** [BitRock2026, sec. 3.4]: K = A E / dz and K = G j / dz (its "I" is the polar moment); several sections by
 /// adding compliances.
-/// **Validity** The axial chain has no spring above its first lump: the hook holds it with a force.
+/// **Validity** The axial chain has no spring above its first lump: the hook holds it with a force, or a line by the
+/// pipe of `compliance_above`.
 Chain axial_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping, double damping_ratio);
+/// Of the pipe between the upper end and the first axial lump [m/N]: integral of dz / (E A).
+double compliance_above(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping);
 /// Of the pipes, in so many lumps.
 Chain torsional_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping, double damping_ratio);
 

@@ -51,7 +51,7 @@ struct DrillCase {
   Chain axial, torsional;    ///< as given; empty where there are pipes, and `axial` where the weight on bit is imposed
   TopDrive drive;            ///< what turns the string
   DriveControlCase control;  ///< how it answers to the string
-  Hoist hoist{.autodriller = {.fastest = 0.05}};  ///< what holds the string; gains of an autodriller: by `assemble`
+  Hoist hoist{.autodriller = {.fastest = 0.05}};  ///< what holds the string, by the line alone; the rest: by `assemble`
   double autodriller_time = 5.0;                  ///< [s] in which it answers
   double drive_inertia = 0.0;      ///< [kg m^2] of a drive that imposes torque, or of one with soft torque
   double drive_damping = 0.0;      ///< [N m s/rad] of that drive against the ground
@@ -107,7 +107,7 @@ double bit_inertia_of(const DrillCase& drill);
 DriveControl control_of(const DrillCase& drill, double natural_period);
 
 /// **What** Stiffness of the whole string along its axis, as its block feels it [N/m].
-/// **Equation** 1 / k = 1 / k_line + sum of 1 / K_i + 1 / k_r: spring of the line, of the pipe between lumps, of the rock.
+/// **Equation** 1 / k = 1 / k_h + sum of 1 / K_i + 1 / k_r: spring of the hoist, of the pipe between lumps, of the rock.
 double stiffness_below_block(const DrillString& string);
 
 /// The weight on bit [N] at which the rock goes away with `speed` [m/s] below a bit that turns with `rotation` [rad/s];

@@ -16,7 +16,7 @@ enum class HoistRule {
 /// Parts that do not change.
 struct Hoist {
   HoistRule rule = HoistRule::load;  ///< who moves the block
-  double stiffness = 0.0;            ///< [N/m] of drill line and derrick
+  double stiffness = 0.0;            ///< [N/m] of drill line and derrick, and of the pipe above the first lump
   double damping = 0.0;              ///< [N s/m] beside it
   double feed = 0.0;                 ///< [m/s] of the block, downwards, where it has one speed
   double weight_on_bit = 0.0;        ///< [N] at the beginning on bottom; what an autodriller holds
