@@ -69,8 +69,8 @@ Hoist hoist_of(const DrillCase& drill, DrillString string) {
   Hoist& hoist = string.hoist;
   hoist = drill.hoist;
   if (!drill.pipes.empty()) {  // in a row with the line; its damper takes as much of a slow motion as it did
-    hoist.stiffness = 1.0 / (1.0 / drill.hoist.stiffness +
-                             compliance_above(drill.pipes, drill.axial_lumps, drill.lumping));
+    hoist.stiffness =
+        1.0 / (1.0 / drill.hoist.stiffness + compliance_above(drill.pipes, drill.axial_lumps, drill.lumping));
     const double share = hoist.stiffness / drill.hoist.stiffness;
     hoist.damping *= share * share;
   }

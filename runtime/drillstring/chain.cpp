@@ -78,8 +78,7 @@ double torsional_impedance(const PipeSection& pipe) {
 }
 
 Chain axial_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping, double damping_ratio) {
-  return chain_of(pipes, lumps, lumping, damping_ratio, true, mass_per_length,
-                  axial_compliance);
+  return chain_of(pipes, lumps, lumping, damping_ratio, true, mass_per_length, axial_compliance);
 }
 
 double compliance_above(const std::vector<PipeSection>& pipes, int lumps, Lumping lumping) {

@@ -261,9 +261,9 @@ std::vector<base::Section> describe(DrillCase& drill, Words& words) {
   }
   return base::also_in_oilfield_units(
       std::move(sections),
-      {"torque_kN_m", "hook_load_kN", "weight_on_bit_kN", "friction_radius_mm", "normal_force_kN", "radius_mm", "threshold_weight_kN",
-       "imposed_weight_kN", "pressure_drop_MPa", "nozzle_area_mm2", "density_kg_per_m3", "force_mean_kN",
-       "force_deviation_kN", "torque_mean_N_m", "torque_deviation_N_m"});
+      {"torque_kN_m", "hook_load_kN", "weight_on_bit_kN", "friction_radius_mm", "normal_force_kN", "radius_mm",
+       "threshold_weight_kN", "imposed_weight_kN", "pressure_drop_MPa", "nozzle_area_mm2", "density_kg_per_m3",
+       "force_mean_kN", "force_deviation_kN", "torque_mean_N_m", "torque_deviation_N_m"});
 }
 
 void take_words(const base::ConfigFile& file, const Words& words, DrillCase& drill) {

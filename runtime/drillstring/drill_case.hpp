@@ -107,7 +107,8 @@ double bit_inertia_of(const DrillCase& drill);
 DriveControl control_of(const DrillCase& drill, double natural_period);
 
 /// **What** Stiffness of the whole string along its axis, as its block feels it [N/m].
-/// **Equation** 1 / k = 1 / k_h + sum of 1 / K_i + 1 / k_r: spring of the hoist, of the pipe between lumps, of the rock.
+/// **Equation** 1 / k = 1 / k_h + sum of 1 / K_i + 1 / k_r: spring of the hoist, of the pipe between lumps, of the
+/// rock.
 double stiffness_below_block(const DrillString& string);
 
 /// The weight on bit [N] at which the rock goes away with `speed` [m/s] below a bit that turns with `rotation` [rad/s];

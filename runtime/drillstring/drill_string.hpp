@@ -99,8 +99,8 @@ void advance(const DrillString& string, DrillState& state, const BitRockSource& 
 /// `planned_block_speed` is that of the case.
 void advance(const DrillString& string, DrillState& state, const BitRockSource& source, double h, double block_speed);
 
-/// What the rule of the hoist wants for the end of the next step `h`; what it measures goes on by that step. 0 where the
-/// hook load is imposed.
+/// What the rule of the hoist wants for the end of the next step `h`; what it measures goes on by that step. 0 where
+/// the hook load is imposed.
 double planned_block_speed(const DrillString& string, DrillState& state, double h);
 
 /// The chain as its modes and its stability have it: a hoist that is fed is the spring above the first lump, taut.

@@ -55,9 +55,9 @@ LinePull line_pull(const Hoist& hoist, const HoistState& block, double position,
 /// integral of the autodriller go on by the step `h` [s].
 /// **Equation** missing = W* - (H_0 - H), with the smoothed H; the feed follows from it by `feed_of`.
 /// **Symbols** H_0 [N] `hanging`: hook load off bottom, which the rig has read before; W* [N] `weight_on_bit`.
-/// **Differences and validity** Until the hook has lost 5 % of W* the integral waits, so that a string that is lowered to
-/// bottom comes with K_p W*: it is brought to W* as `autodriller_for` says for a weight that is missing whole. A rock
-/// that goes away faster than that before it bears 5 % of W* is not caught up with.
+/// **Differences and validity** Until the hook has lost 5 % of W* the integral waits, so that a string that is lowered
+/// to bottom comes with K_p W*: it is brought to W* as `autodriller_for` says for a weight that is missing whole. A
+/// rock that goes away faster than that before it bears 5 % of W* is not caught up with.
 double next_block_speed(const Hoist& hoist, HoistState& state, double hanging, double time, double h);
 
 }  // namespace bitrock::runtime

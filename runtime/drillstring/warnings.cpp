@@ -53,9 +53,10 @@ void warn_of_hoist(const DrillString& string, std::vector<std::string>& found) {
                     "the weight on bit has no balance",
                     hoist.feed * 3600.0, rock * 3600.0));
   if (hoist.rule == HoistRule::autodriller && hoist.autodriller.fastest < advance_at(string))
-    found.push_back(fmt::format("slack_off_m_per_s = {:.4g} is slower than the rock goes away under the weight that "
-                                "the autodriller is to hold, {:.4g} m/s",
-                                hoist.autodriller.fastest, advance_at(string)));
+    found.push_back(
+        fmt::format("slack_off_m_per_s = {:.4g} is slower than the rock goes away under the weight that "
+                    "the autodriller is to hold, {:.4g} m/s",
+                    hoist.autodriller.fastest, advance_at(string)));
 }
 
 void warn_of_weight(const DrillCase& drill, const DrillString& string, double weight, std::vector<std::string>& found) {

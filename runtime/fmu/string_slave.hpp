@@ -45,7 +45,8 @@ const char* objection_to(const StringContent& content, const StringSettings& set
 const char* begin(StringSlave& slave);
 /// What the string feels, with the seed of the settings.
 void renew_source(StringSlave& slave);
-/// Drive, imposed weight, what the host's drive and block weigh, and friction of the hole into the parts that do not change in a step.
+/// Drive, imposed weight, what the host's drive and block weigh, and friction of the hole into the parts that do not
+/// change in a step.
 void take_from_moment(StringSlave& slave);
 
 /// **What** Steps of the string from its start to a communication point.

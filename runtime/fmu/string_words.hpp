@@ -146,8 +146,9 @@ void pass(Io& io, ChainRoom& room) {
 /// All of a `DrillState`.
 template <class Io>
 void pass(Io& io, DrillState& s) {
-  static_assert(sizeof(DrillState) == sizeof(BitRockState) + sizeof(double) + 2 * sizeof(ChainMotion) + sizeof(HoistState) +
-                                          sizeof(std::vector<int>) + 2 * sizeof(EnergyFlows) + 2 * sizeof(ChainRoom));
+  static_assert(sizeof(DrillState) == sizeof(BitRockState) + sizeof(double) + 2 * sizeof(ChainMotion) +
+                                          sizeof(HoistState) + sizeof(std::vector<int>) + 2 * sizeof(EnergyFlows) +
+                                          2 * sizeof(ChainRoom));
   pass(io, static_cast<BitRockState&>(s));
   pass_all(io, s.time, s.axial, s.torsional, s.hoist, s.sliding, s.work, s.power, s.axial_room, s.torsional_room);
 }
@@ -185,8 +186,8 @@ void pass(Io& io, HolePiece& piece) {
 /// All of a `WellString`.
 template <class Io>
 void pass(Io& io, WellString& string) {
-  auto& [sections, damping, hole, wall, upper_end, growth, pushes, control, drive_inertia, block_mass, longest_grown, guided,
-         gauge, on_rock, bit, bit_mass, bit_inertia, tip_force, tip_moment, plain] = string;
+  auto& [sections, damping, hole, wall, upper_end, growth, pushes, control, drive_inertia, block_mass, longest_grown,
+         guided, gauge, on_rock, bit, bit_mass, bit_inertia, tip_force, tip_moment, plain] = string;
   auto& [axial, shear, torsion, bending] = damping;
   auto& [stiffness, of_wall] = wall;
   pass_all(io, sections, axial, shear, torsion, bending, hole, stiffness, of_wall, upper_end, growth, pushes, control,

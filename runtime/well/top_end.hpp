@@ -23,10 +23,10 @@ void lengthen_top(const WellString& string, WellStringState& state, const RigCon
 /// a stiff one has the speed that is asked for. Under a torque of its motor (`gives_torque`) it turns by J (W' - W) / h
 /// = T_m - T, J the `drive_inertia`; a block that is pulled (`is_pulled`) goes by m (v' - v) / h = H - w s - P.
 /// **Symbols** e [m] depth of the upper end below the point where the hoist's spring is free; Phi [rad] angle of the
-/// drive; sigma [rad] turns of the segment, counted beyond one turn; T_m [N m]; P [N] pull of the line less the weight of
-/// the block and of the pipe above the table, m [kg] mass of the block; s [m] pipe that it has fed since it is pulled, of
-/// the weight w [N/m]: the string becomes heavier by w s and what hangs above the table lighter, so a block in balance
-/// stays in balance wherever it is. The pipe above the table has no mass.
+/// drive; sigma [rad] turns of the segment, counted beyond one turn; T_m [N m]; P [N] pull of the line less the weight
+/// of the block and of the pipe above the table, m [kg] mass of the block; s [m] pipe that it has fed since it is
+/// pulled, of the weight w [N/m]: the string becomes heavier by w s and what hangs above the table lighter, so a block
+/// in balance stays in balance wherever it is. The pipe above the table has no mass.
 void load_table(const WellString& string, WellStringState& state, const RigControls& controls, double h);
 
 /// Least inertia of a drive that gives a torque [kg m^2] with which a step of `h` [s] is stable, with the room that

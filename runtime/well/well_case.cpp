@@ -125,16 +125,17 @@ void refuse_of_two_dimensions(const base::ConfigFile& file) {
       throw base::InputError(fmt::format("{}: [{}] has no meaning beside [well] (take it out)", file.name(), table));
   const struct {
     const char *table, *key, *why;
-  } keys[] = {{"top_drive", "hook_load_kN", "is a result beside [well]; give trip.weight_on_bit_kN"},
-              {"top_drive", "hoist", "has no meaning beside [well]; [trip] says what the hoist does"},
-              {"top_drive", "line_stiffness_N_per_m", "has no meaning beside [well]: the hoist is as stiff as the pipe"},
-              {"top_drive", "line_damping_N_s_per_m", "has no meaning beside [well]; give well.axial_damping_ms"},
-              {"top_drive", "feed_m_per_h", "has no meaning beside [well]; give trip.feed"},
-              {"top_drive", "weight_on_bit_kN", "has no meaning beside [well]; give trip.weight_on_bit_kN"},
-              {"top_drive", "slack_off_m_per_s", "has no meaning beside [well]; give trip.slack_off_m_per_s"},
-              {"top_drive", "autodriller_time_s", "has no meaning beside [well]; give trip.autodriller_time_s"},
-              {"run", "start", "has no meaning beside [well]: the string begins at rest"},
-              {"run", "off_bottom_mm", "has no meaning beside [well]; give well.bottom_depth_m"}};
+  } keys[] = {
+      {"top_drive", "hook_load_kN", "is a result beside [well]; give trip.weight_on_bit_kN"},
+      {"top_drive", "hoist", "has no meaning beside [well]; [trip] says what the hoist does"},
+      {"top_drive", "line_stiffness_N_per_m", "has no meaning beside [well]: the hoist is as stiff as the pipe"},
+      {"top_drive", "line_damping_N_s_per_m", "has no meaning beside [well]; give well.axial_damping_ms"},
+      {"top_drive", "feed_m_per_h", "has no meaning beside [well]; give trip.feed"},
+      {"top_drive", "weight_on_bit_kN", "has no meaning beside [well]; give trip.weight_on_bit_kN"},
+      {"top_drive", "slack_off_m_per_s", "has no meaning beside [well]; give trip.slack_off_m_per_s"},
+      {"top_drive", "autodriller_time_s", "has no meaning beside [well]; give trip.autodriller_time_s"},
+      {"run", "start", "has no meaning beside [well]: the string begins at rest"},
+      {"run", "off_bottom_mm", "has no meaning beside [well]; give well.bottom_depth_m"}};
   for (const auto& k : keys)
     if (file.has(k.table, k.key)) file.refuse(k.table, k.key, k.why);
 }

@@ -52,25 +52,25 @@ enum class Growth {
 
 /// Parts that do not change.
 struct WellString {
-  std::vector<StringSection> sections;  ///< from top to bottom
-  MaterialDamping damping;              ///< of the joints
-  std::vector<HolePiece> hole;          ///< from top to bottom; empty: no wall
-  WallSpring wall;                      ///< of the hole
-  UpperEnd upper_end = UpperEnd::free;  ///< what holds it
-  Growth growth = Growth::split;        ///< at the table
-  bool hoist_pushes = false;            ///< a hoist that holds both ways; otherwise a line, which goes slack
-  DriveControl control;                 ///< of a drive at the table that gives way; without inertia: a stiff one
+  std::vector<StringSection> sections;         ///< from top to bottom
+  MaterialDamping damping;                     ///< of the joints
+  std::vector<HolePiece> hole;                 ///< from top to bottom; empty: no wall
+  WallSpring wall;                             ///< of the hole
+  UpperEnd upper_end = UpperEnd::free;         ///< what holds it
+  Growth growth = Growth::split;               ///< at the table
+  bool hoist_pushes = false;                   ///< a hoist that holds both ways; otherwise a line, which goes slack
+  DriveControl control;                        ///< of a drive at the table that gives way; without inertia: a stiff one
   double drive_inertia = usual_drive_inertia;  ///< [kg m^2] of a drive that gives a torque (`RigControls`)
   double block_mass = usual_block_mass;        ///< [kg] of a block that a pull moves (`RigControls`)
-  double longest_grown = 0.0;           ///< [m] most pipe that is added
-  bool guided = false;                  ///< the lower end is held on the centre line of the hole
-  double gauge_radius = 0.0;            ///< [m] of a guided bit that rubs on the hole like a joint; 0: it does not
-  bool on_rock = false;                 ///< the laws at the bit act, on the piece of the hole it is in
-  BitRock bit;                          ///< those laws
-  double bit_mass = 0.0;                ///< [kg] at the centre of the lowest segment
-  double bit_inertia = 0.0;             ///< [kg m^2] of the bit about the axis
-  Vector3 tip_force, tip_moment;        ///< [N], [N m] on the lower end, in the world
-  bool plain_vectors = false;           ///< on a machine with wide vectors, too: the same bits, only slower
+  double longest_grown = 0.0;                  ///< [m] most pipe that is added
+  bool guided = false;                         ///< the lower end is held on the centre line of the hole
+  double gauge_radius = 0.0;      ///< [m] of a guided bit that rubs on the hole like a joint; 0: it does not
+  bool on_rock = false;           ///< the laws at the bit act, on the piece of the hole it is in
+  BitRock bit;                    ///< those laws
+  double bit_mass = 0.0;          ///< [kg] at the centre of the lowest segment
+  double bit_inertia = 0.0;       ///< [kg m^2] of the bit about the axis
+  Vector3 tip_force, tip_moment;  ///< [N], [N m] on the lower end, in the world
+  bool plain_vectors = false;     ///< on a machine with wide vectors, too: the same bits, only slower
 };
 
 /// What the rig does in one step.
@@ -80,8 +80,8 @@ struct RigControls {
   bool gives_torque = false;  ///< the drive is an inertia under `torque` instead
   double torque = 0.0;        ///< [N m] of the motor, forward
   bool is_pulled = false;     ///< the block is a mass under `pull` instead, and feeds with the speed that it comes to
-  double pull = 0.0;          ///< [N] of the drill line, upwards, less the weight of block, drive and the pipe above the
-                              ///< table: the hook load that it is in balance with
+  double pull = 0.0;  ///< [N] of the drill line, upwards, less the weight of block, drive and the pipe above the
+                      ///< table: the hook load that it is in balance with
 };
 
 /// At the table.

@@ -38,6 +38,10 @@ void expect_bits(const StringFile& file, const runtime::DrillSeries& series) {
     ASSERT_EQ(string["rop_m_per_s"], series.rop_m_per_s[i]) << i;
     ASSERT_EQ(string["torque_on_bit_N_m"], series.torque_on_bit_N_m[i]) << i;
     ASSERT_EQ(string["bit_depth_m"], series.bit_depth_m[i]) << i;
+    if (!series.hook_load_N.empty()) {
+      ASSERT_EQ(string["hook_load_N"], series.hook_load_N[i]) << i;
+      ASSERT_EQ(string["block_speed_m_per_s"], series.block_speed_m_per_s[i]) << i;
+    }
     most_weight = std::max(most_weight, series.weight_on_bit_N[i]);
   }
   EXPECT_GT(most_weight, 0.0);
@@ -88,6 +92,71 @@ TEST_F(StringFmu, GivesTheBitsOfADriveThatImposesTorqueWithoutAnAxialString) {
   EXPECT_EQ(heavier["weight_on_bit_N"], 6e4);
   EXPECT_EQ(heavier["drive_torque_N_m"], 5e3);
   EXPECT_GT(heavier["torque_on_bit_N_m"], 1.5 * same["torque_on_bit_N_m"]);
+}
+
+/// The shipped case below a block, without networks; autodriller.
+std::vector<std::pair<std::string, std::string>> below_a_block(const std::string& hoist) {
+  return {{"duration_s = 30", "duration_s = 1"},
+          {"settling_s = 5", "settling_s = 0"},
+          {"hook_load_kN = 25", hoist + "\nline_stiffness_N_per_m = 8e6\nline_damping_N_s_per_m = 1e4"},
+          {"source = \"bit\"",
+           "source = \"noise\"\nforce_mean_kN = 2\nforce_deviation_kN = 1\n"
+           "torque_mean_N_m = 100\ntorque_deviation_N_m = 50\nseed = 3"}};
+}
+const std::string autodriller = "hoist = \"autodriller\"\nweight_on_bit_kN = 14";
+
+TEST_F(StringFmu, GivesTheBitsOfAHoistThatIsFed) {
+  for (const std::string& hoist : {autodriller, std::string("hoist = \"feed\"\nfeed_m_per_h = 3")}) {
+    const fs::path file = changed("normal", below_a_block(hoist));
+    const StringFile fmu = exported(file);
+    expect_bits(fmu, run_of(file).series);
+    for (const char* there : {"set_block_speed_m_per_s", "rig", "fed_m", "hook_load_N"})
+      EXPECT_EQ(fmu.references.count(there), 1U) << there;
+    for (const char* absent : {"set_hook_load_N", "hoist_input", "drive_input", "block_mass_kg"})
+      EXPECT_EQ(fmu.references.count(absent), 0U) << absent;
+  }
+}
+
+// What the autodriller does, done by the host: the speed of the block at the end of each step as input.
+TEST_F(StringFmu, GivesTheSameBitsWhenTheHostFeedsAsTheAutodrillerDoes) {
+  const fs::path file = changed("normal", below_a_block(autodriller));
+  const runtime::DrillCase drill = runtime::read_drill_case(file);
+  const runtime::DrillString engine = runtime::assemble(drill);
+  const runtime::DrillSource rock = runtime::make_source(drill, {});
+  const double h = runtime::step_of(drill.run);
+  runtime::DrillState state = runtime::beginning(engine, rock.load, true, 0.0);
+  const double block = state.hoist.block;
+  const StringFile fmu = exported(file);
+  StringInstance string(fmu);
+  ASSERT_EQ(string.start(), importer::ok) << string.fmu.log;
+  double time = 0.0;
+  for (int i = 0; i < 10000; ++i) {
+    advance(engine, state, rock.load, h);
+    const bool host = i / 1000 % 2 == 1;  // it takes over and gives back: the plan goes on counting
+    ASSERT_EQ(string.choose("rig", host ? 2 : 1), importer::ok);
+    ASSERT_EQ(string.set("set_block_speed_m_per_s", host ? state.hoist.speed : 0.3), importer::ok);
+    ASSERT_EQ(string.step(time, h * (i + 1)), importer::ok) << string.fmu.log;
+    time = h * (i + 1);
+    ASSERT_EQ(string["hook_load_N"], state.hoist.pull) << i;
+    ASSERT_EQ(string["weight_on_bit_N"], state.weight_on_bit) << i;
+    ASSERT_EQ(string["block_speed_m_per_s"], state.hoist.speed) << i;
+  }
+  EXPECT_EQ(string["fed_m"], state.hoist.block - block);
+  EXPECT_GT(string["fed_m"], 0.0);
+}
+
+TEST_F(StringFmu, AHostThatLiftsTheBlockTakesTheBitOffBottomAndTheHookBearsTheString) {
+  const StringFile fmu = exported(changed("normal", below_a_block(autodriller)));
+  StringInstance string(fmu);
+  ASSERT_EQ(string.start(), importer::ok);
+  ASSERT_EQ(string.choose("rig", 2), importer::ok);
+  ASSERT_EQ(string.set("set_block_speed_m_per_s", -0.01), importer::ok);
+  ASSERT_EQ(string.step(0.0, 3.0), importer::ok) << string.fmu.log;
+  ASSERT_EQ(string.set("set_block_speed_m_per_s", 0.0), importer::ok);
+  ASSERT_EQ(string.step(3.0, 20.0), importer::ok) << string.fmu.log;
+  EXPECT_NEAR(string["fed_m"], -0.03, 1e-5);
+  EXPECT_EQ(string["weight_on_bit_N"], 0.0);
+  EXPECT_NEAR(string["hook_load_N"], 39.94e3, 50.0);  // 150 m of pipe, and the bit
 }
 
 // The grid of the string is its own: at each point of the host it stands at the last of its steps.

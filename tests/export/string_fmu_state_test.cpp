@@ -51,6 +51,34 @@ TEST_F(StringFmu, AStateInMidRunBringsTheSameBitsAgainInTwoDimensions) {
   expect_exact_states(exported(source / "campaigns/drill/stick_slip.toml"), 100, "set_rotation_rad_per_s", 9.0);
 }
 
+TEST_F(StringFmu, AStateInMidRunBringsTheSameBitsAgainBelowABlock) {
+  const fs::path file = changed("normal", {{"hook_load_kN = 25",
+                                            "hoist = \"autodriller\"\nweight_on_bit_kN = 14\n"
+                                            "line_stiffness_N_per_m = 8e6"}});
+  expect_exact_states(exported(file), 100, "set_rotation_rad_per_s", 9.0);
+}
+
+TEST_F(StringFmu, AStateInMidRunBringsTheSameBitsAgainUnderTorqueAndHookLoad) {
+  const StringFile fmu = exported(written("short", fmu_test::short_well));
+  StringInstance first(fmu), second(fmu);
+  ASSERT_EQ(first.set("block_mass_kg", 15e3), importer::ok);
+  for (StringInstance* string : {&first, &second}) ASSERT_EQ(string->start(), importer::ok);
+  run(first, 0, 330);
+  ASSERT_EQ(first.choose("rig", 2), importer::ok);
+  ASSERT_EQ(first.choose("drive_input", 2), importer::ok);
+  ASSERT_EQ(first.choose("hoist_input", 2), importer::ok);
+  ASSERT_EQ(first.set("set_torque_N_m", 500.0), importer::ok);
+  ASSERT_EQ(first.set("set_hook_load_N", first["hook_load_N"] - 100.0), importer::ok);
+  run(first, 330, 40);
+  ASSERT_EQ(second.fmu.set_state(first.fmu.state()), importer::ok) << second.fmu.log;
+  EXPECT_EQ(second.whole("drive_input"), 2);
+  EXPECT_EQ(second.whole("hoist_input"), 2);
+  EXPECT_EQ(second["block_mass_kg"], 15e3);
+  EXPECT_EQ(second["block_speed_m_per_s"], first["block_speed_m_per_s"]);
+  EXPECT_NE(first["block_speed_m_per_s"], 0.0);
+  EXPECT_EQ(run(second, 370, 60), run(first, 370, 60));
+}
+
 TEST_F(StringFmu, AStateInMidRunBringsTheSameBitsAgainInAWell) {
   const StringFile fmu = exported(written("short", fmu_test::short_well));
   expect_exact_states(fmu, 330, "set_block_speed_m_per_s", 0.0);

@@ -95,6 +95,86 @@ TEST_F(StringFmu, GivesTheSameBitsWhenTheHostDoesWhatThePlanDoes) {
   EXPECT_GT(state.bit.weight_on_bit, 1e3);
 }
 
+// Torque and hook load as inputs: the bits of the engine under the same forces, taken over from the plan in mid-run.
+TEST_F(StringFmu, GivesTheBitsOfTheEngineUnderTorqueAndHookLoad) {
+  const fs::path file = written("short", fmu_test::short_well);
+  const runtime::WellCase well = runtime::read_well_case(file);
+  runtime::WellString engine = runtime::assemble(well);
+  const runtime::DrillSource rock = source_of(well);
+  const double h = runtime::step_of(well.drill.run);
+  const StringFile fmu = exported(file);
+  StringInstance string(fmu);
+  ASSERT_EQ(string["drive_inertia_kg_m2"], 2900.0);
+  ASSERT_EQ(string["block_mass_kg"], 22e3);
+  ASSERT_EQ(string.set("drive_inertia_kg_m2", 1000.0), importer::ok);
+  engine.drive_inertia = 1000.0;
+  runtime::WellStringState state = runtime::brought_to_rest(well, engine);
+  runtime::RigState rig;
+  ASSERT_EQ(string.start(), importer::ok) << string.fmu.log;
+  EXPECT_EQ(string["set_hook_load_N"], state.top.hook_load) << "as it hangs";
+  double hook = 0.0;
+  for (int i = 0; i < 36000; ++i) {
+    runtime::RigControls controls = runtime::controls(well.plan, rig, state, h);
+    if (i == 20000) {  // the plan has begun to turn it
+      hook = state.top.hook_load;
+      ASSERT_EQ(string.choose("rig", 2), importer::ok);
+      ASSERT_EQ(string.choose("drive_input", 2), importer::ok);
+      ASSERT_EQ(string.choose("hoist_input", 2), importer::ok);
+      ASSERT_EQ(string.set("set_torque_N_m", 900.0), importer::ok);
+      ASSERT_EQ(string.set("set_hook_load_N", hook - 500.0), importer::ok);
+    }
+    if (i >= 20000) controls = {.gives_torque = true, .torque = 900.0, .is_pulled = true, .pull = hook - 500.0};
+    advance(engine, state, controls, rock.load, h);
+    ASSERT_EQ(string.step(h * i, h * (i + 1)), importer::ok) << string.fmu.log;
+    ASSERT_EQ(string["hook_load_N"], state.top.hook_load) << i;
+    ASSERT_EQ(string["drive_rotation_rad_per_s"], state.top.drive_speed) << i;
+    ASSERT_EQ(string["block_speed_m_per_s"], state.top.block_speed) << i;
+    ASSERT_EQ(string["fed_m"], state.top.fed) << i;
+  }
+  EXPECT_GT(state.top.drive_speed, 0.0);
+  EXPECT_NE(state.top.block_speed, 0.0);
+}
+
+// A host that holds the hook load drills with the weight that the hook has lost, whatever the rock.
+TEST_F(StringFmu, WhatTheHookDoesNotBearTheRockDoes) {
+  std::string text = fmu_test::short_well;
+  text.replace(text.find("friction = 0.25"), 15, "friction = 0.0 ");
+  text.replace(text.find("[0, 0, 15, 15]"), 14, "[0, 0, 0, 0]  ");  // so that nothing else bears it
+  const StringFile fmu = exported(written("smooth", text));
+  StringInstance string(fmu);
+  ASSERT_EQ(string.start(), importer::ok);
+  ASSERT_EQ(string.step(0.0, 4.0), importer::ok) << string.fmu.log;  // run in, off bottom
+  const double hanging = string["hook_load_N"];
+  ASSERT_EQ(string.choose("rig", 2), importer::ok);
+  ASSERT_EQ(string.set("set_rotation_rad_per_s", 2.0 * M_PI), importer::ok);
+  ASSERT_EQ(string.choose("hoist_input", 2), importer::ok);
+  ASSERT_EQ(string.set("set_hook_load_N", hanging - 6e3), importer::ok);
+  ASSERT_EQ(string.step(4.0, 15.0), importer::ok) << string.fmu.log;
+  double weight = 0.0;
+  constexpr int samples = 3000;
+  for (int i = 0; i < samples; ++i) {
+    ASSERT_EQ(string.step(15.0 + 0.005 * i, 15.0 + 0.005 * (i + 1)), importer::ok) << string.fmu.log;
+    weight += (string["weight_on_bit_N"] + string["source_force_N"]) / samples;
+  }
+  EXPECT_NEAR(weight / 6e3, 1.0, 0.02);
+}
+
+TEST_F(StringFmu, RefusesInputsAndParametersThatCannotBe) {
+  const StringFile fmu = exported(written("short", fmu_test::short_well));
+  StringInstance string(fmu);
+  const auto refused = [&](int status, const char* words) {
+    EXPECT_EQ(status, importer::error);
+    EXPECT_NE(string.fmu.log.find(words), std::string::npos) << string.fmu.log;
+    string.fmu.log.clear();
+  };
+  refused(string.choose("drive_input", 3), "drive_input must be 1 (rotation) or 2 (torque)");
+  refused(string.choose("hoist_input", 0), "hoist_input must be 1 (block_speed) or 2 (hook_load)");
+  refused(string.set("block_mass_kg", 1.0), "block_mass_kg must be so much");
+  refused(string.set("drive_inertia_kg_m2", 0.0), "drive_inertia_kg_m2 must be so much");
+  refused(string.set("set_hook_load_N", -1.0), "set_hook_load_N must be 0 or more");
+  EXPECT_EQ(string.set("block_mass_kg", 5e3), importer::ok);
+}
+
 /// Means from `begin` on [s], with these speeds of the host.
 struct Means {
   double hook_load = 0.0, torque = 0.0, weight = 0.0;

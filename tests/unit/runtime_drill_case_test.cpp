@@ -205,9 +205,84 @@ TEST(DrillCase, ADriveThatGivesWayIsALumpOnItsControl) {
   EXPECT_EQ(runtime::assemble(read(given)).torsional.damping[0], 70.0);
 }
 
+const std::string driller = replaced(
+    pipes, "hook_load_kN = 25",
+    "hoist = \"autodriller\"\nline_stiffness_N_per_m = 8e6\nline_damping_N_s_per_m = 1e4\nweight_on_bit_kN = 14");
+
+TEST(DrillCase, AHoistThatIsFedHoldsTheStringByItsLine) {
+  const runtime::DrillString string = runtime::assemble(read(driller));
+  EXPECT_EQ(string.axial.stiffness[0], 0.0) << "the line goes slack, so it is no spring of the chain";
+  // the line in a row with a quarter of the pipe, 37.5 m; the autodriller with all of the pipe to the last lump, and
+  // rock
+  const double pipe = 200e9 * 0.25 * std::numbers::pi * (0.127 * 0.127 - 0.10861 * 0.10861);
+  const double held = 1.0 / (1.0 / 8e6 + 37.5 / pipe);
+  EXPECT_NEAR(string.hoist.stiffness, held, 1e-9 * held);
+  EXPECT_NEAR(string.hoist.damping, 1e4 * std::pow(held / 8e6, 2), 1e-8);
+  const double whole = 1.0 / (1.0 / held + 75.0 / pipe + 1.0 / string.bit.contact.stiffness);
+  EXPECT_NEAR(runtime::stiffness_below_block(string), whole, 1e-9 * whole);
+  EXPECT_NEAR(string.hoist.autodriller.proportional, 2.0 / (whole * 5.0), 1e-18);
+  EXPECT_NEAR(string.hoist.autodriller.integral, 1.0 / (whole * 25.0), 1e-18);
+  EXPECT_EQ(string.hoist.autodriller.fastest, 0.05);
+  EXPECT_EQ(runtime::static_weight_on_bit(string), 14e3);
+  // a steady feed begins where the rock goes away as fast
+  const std::string feed = replaced(driller, "\"autodriller\"", "\"feed\"\nfeed_m_per_h = 1");
+  const std::string given = replaced(feed, "weight_on_bit_kN = 14\n", "");
+  EXPECT_EQ(runtime::static_weight_on_bit(runtime::assemble(read(feed))), 14e3);
+  const runtime::RootAdvance law;
+  EXPECT_NEAR(runtime::static_weight_on_bit(runtime::assemble(read(given))),
+              (1.0 / 3600.0 - law.c2) / (law.c1 * std::sqrt(2.0 * std::numbers::pi)), 1e-6);
+  EXPECT_EQ(runtime::resolved_toml(read(pipes)).find("hoist"), std::string::npos) << "texts of older cases stay valid";
+  const struct {
+    std::string text, from, to, word;
+  } cases[] = {
+      {driller, "\"autodriller\"", "\"hand\"", "must be one of 'load', 'feed', 'autodriller'"},
+      {driller, "line_stiffness_N_per_m = 8e6\n", "", "needs the spring that holds the string"},
+      {driller, "weight_on_bit_kN = 14", "", "needs the weight that the autodriller holds"},
+      {driller, "weight_on_bit_kN = 14", "weight_on_bit_kN = 14\nhook_load_kN = 25", "is a result with hoist"},
+      {driller, "weight_on_bit_kN = 14", "weight_on_bit_kN = 14\nfeed_m_per_h = 3", "needs hoist = 'feed'"},
+      {driller, "8e6", "0.5", "line_stiffness_N_per_m = 0.5"},
+      {driller, "weight_on_bit_kN = 14", "weight_on_bit_kN = -14", "weight_on_bit_kN = -14"},
+      {feed, "feed_m_per_h = 1", "feed_m_per_h = 1\nautodriller_time_s = 3", "needs hoist = 'autodriller'"},
+      {feed, "feed_m_per_h = 1", "feed_m_per_h = 1\nslack_off_m_per_s = 0.1", "needs hoist = 'autodriller'"},
+      {feed, "feed_m_per_h = 1", "feed_m_per_h = -1", "feed_m_per_h = -1"},
+      {pipes, "hook_load_kN = 25", "line_stiffness_N_per_m = 8e6", "needs hoist = 'feed' or 'autodriller'"},
+      {pipes, "hook_load_kN = 25", "weight_on_bit_klbf = 3", "weight_on_bit_klbf"},
+      {chains, "rotation_rpm = 60", "rotation_rpm = 60\nhoist = \"feed\"", "needs the spring that holds the string"},
+  };
+  for (const auto& c : cases) {
+    const std::string why = refusal(replaced(c.text, c.from, c.to));
+    EXPECT_NE(why.find(c.word), std::string::npos) << c.to << ": " << why;
+  }
+  const std::string none =
+      replaced(chains.substr(0, chains.find("[axial]")) + chains.substr(chains.find("[top_drive]")),
+               "rotation_rpm = 60", "rotation_rpm = 60\nhoist = \"feed\"\nline_stiffness_N_per_m = 8e6");
+  EXPECT_NE(refusal(none).find("must be 'load' for a string without axial chain"), std::string::npos);
+}
+
+TEST(DrillCase, WarnsOfAHoistThatCannotDoWhatIsAsked) {
+  const auto warned = [](const std::string& text) {
+    const runtime::DrillCase drill = read(text);
+    std::string all;
+    for (const std::string& warning : runtime::warnings(drill, runtime::assemble(drill))) all += warning + "\n";
+    return all;
+  };
+  EXPECT_EQ(warned(driller), "");
+  EXPECT_NE(warned(replaced(driller, "weight_on_bit_kN = 14", "weight_on_bit_kN = 60")).find("the line will go slack"),
+            std::string::npos);
+  EXPECT_NE(warned(replaced(driller, "weight_on_bit_kN = 14", "weight_on_bit_kN = 14\nslack_off_m_per_s = 1e-4"))
+                .find("is slower than the rock goes away"),
+            std::string::npos);
+  const std::string imposed = replaced(replaced(driller, "\"autodriller\"", "\"feed\"\nfeed_m_per_h = 3"), "[bit]",
+                                       "[drilling]\nlaw = \"imposed\"\nimposed_rop_m_per_h = 4\n[bit]");
+  EXPECT_NE(warned(imposed).find("the weight on bit has no balance"), std::string::npos) << warned(imposed);
+  EXPECT_EQ(warned(replaced(imposed, "imposed_rop_m_per_h = 4", "imposed_rop_m_per_h = 3")).find("no balance"),
+            std::string::npos);
+}
+
 TEST(DrillCase, ResolvedTextReadsBackTheSame) {
   const std::string matched = replaced(pipes, "rotation_rpm = 60", "rotation_rpm = 60\ncontrol = \"matched\"");
-  for (const std::string& text : {pipes, matched, chains}) {
+  const std::string feed = replaced(driller, "\"autodriller\"", "\"feed\"\nfeed_m_per_h = 1");
+  for (const std::string& text : {pipes, matched, chains, driller, feed}) {
     const runtime::DrillCase first = read(text);
     const std::string once = runtime::resolved_toml(first);
     if (text == chains) {

@@ -135,6 +135,31 @@ TEST(DrillFile, CutShortChangedOrForeignBytesAreRefused) {
   expect_refused(folder / "nowhere.h5", "nowhere.h5");
 }
 
+TEST(DrillFile, AHoistThatIsFedHasItsHookLoadInTheFile) {
+  const scratch::Folder folder("drill_file_hoist");
+  std::string fed = text;
+  const std::string load = "hook_load_kN = 25";
+  fed.replace(fed.find(load), load.size(),
+              "hoist = \"autodriller\"\nline_stiffness_N_per_m = 8e6\nweight_on_bit_kN = 14");
+  base::ConfigFile config = base::ConfigFile::from_text(fed, "case.toml");
+  const runtime::DrillCase drill = runtime::read_drill_case(config);
+  const runtime::DrillRun run = runtime::run_drill(drill, runtime::assemble(drill), runtime::make_source(drill, {}));
+  ASSERT_EQ(run.series.hook_load_N.size(), 101u);
+  ASSERT_TRUE(run.summary.hook_load.has_value());
+  EXPECT_NEAR(run.summary.hook_load->mean + run.summary.total_force.mean, 39.31e3, 200.0) << "the weight of the pipe";
+  runtime::write_drill_run(run, drill, "", folder / "fed.h5");
+  const runtime::DrillFile file = runtime::read_drill_run(folder / "fed.h5");
+  EXPECT_EQ(file.run.series.hook_load_N, run.series.hook_load_N);
+  EXPECT_EQ(file.run.series.block_speed_m_per_s, run.series.block_speed_m_per_s);
+  ASSERT_TRUE(file.run.summary.hook_load.has_value());
+  expect_same(*file.run.summary.hook_load, *run.summary.hook_load);
+  EXPECT_EQ(file.drill.hoist.rule, runtime::HoistRule::autodriller);
+  // a hook load that is imposed is no result
+  runtime::write_drill_run(example_run(), example_case(), "", folder / "load.h5");
+  EXPECT_FALSE(base::Hdf5Reader(folder / "load.h5").has("/series/hook_load_N"));
+  EXPECT_FALSE(runtime::read_drill_run(folder / "load.h5").run.summary.hook_load.has_value());
+}
+
 /// The arrays of a good file, to be written again with one of them changed.
 using Arrays = std::map<std::string, std::vector<double>>;
 

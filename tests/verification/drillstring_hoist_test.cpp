@@ -1,5 +1,5 @@
-// A string in two dimensions that hangs from a block by the spring of its drill line: statics, steady drilling, a drill-off,
-// the response of the autodriller, modes, the stable step, and where the energy goes.
+// A string in two dimensions that hangs from a block by the spring of its drill line: statics, steady drilling, a
+// drill-off, the response of the autodriller, modes, the stable step, and where the energy goes.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -99,8 +99,8 @@ TEST(Hoist, ADrillOffTestGivesTheLawOfTheRock) {
   EXPECT_LT(state.weight_on_bit, 0.1 * first);
 }
 
-/// The weight that is missing over k V t, `times` answers of the autodriller after it began on bottom with the weight that
-/// is asked for and an integral of 0.
+/// The weight that is missing over k V t, `times` answers of the autodriller after it began on bottom with the weight
+/// that is asked for and an integral of 0.
 double missing_after(double times, double time, double rop) {
   const double wanted = 14e3;
   const DrillString string = automatic(wanted, time, rop);
@@ -110,8 +110,8 @@ double missing_after(double times, double time, double rop) {
   return (wanted - state.weight_on_bit) / (runtime::stiffness_below_block(string) * rop * time);
 }
 
-// e'' + 2 e' / t + e / t^2 = 0 with e = 0 and e' = k V at first is e = k V s exp(-s / t). The rig's gauge is late by 1 s,
-// which is a share of 1 / t: what is left of the difference halves when t doubles.
+// e'' + 2 e' / t + e / t^2 = 0 with e = 0 and e' = k V at first is e = k V s exp(-s / t). The rig's gauge is late by 1
+// s, which is a share of 1 / t: what is left of the difference halves when t doubles.
 TEST(Hoist, TheAutodrillerAnswersAsItsEquationSays) {
   for (const double times : {0.5, 1.0, 2.0, 3.0}) {
     const double exact = times * std::exp(-times), rop = 2e-5;
@@ -168,7 +168,8 @@ TEST(Hoist, TheAutodrillerHoldsTheWeightWhateverTheRock) {
       highest = std::max(highest, state.weight_on_bit);
     }
     EXPECT_NEAR(state.weight_on_bit / 14e3, 1.0, 1e-6) << off_bottom;
-    // lowered to bottom with K_p W* it would come to 1 + exp(-2) without the gauge that is late and the rock that yields
+    // lowered to bottom with K_p W* it would come to 1 + exp(-2) without the gauge that is late and the rock that
+    // yields
     EXPECT_LT(highest, off_bottom > 0.0 ? 1.35 * 14e3 : 1.001 * 14e3);
   }
 }
@@ -223,8 +224,7 @@ TEST(Hoist, TheLineIsASpringOfTheModes) {
     string.hoist.stiffness = lumps == 1 ? line : string.axial.stiffness[1];
     const std::vector<double> found = runtime::drill_modes(string).axial_off_bottom;
     for (int k = 1; k <= lumps; ++k) {
-      const double exact =
-          runtime::equal_lumps_frequency(string.hoist.stiffness, string.axial.inertia[0], lumps, k);
+      const double exact = runtime::equal_lumps_frequency(string.hoist.stiffness, string.axial.inertia[0], lumps, k);
       EXPECT_NEAR(found[static_cast<std::size_t>(k - 1)] / exact, 1.0, 1e-10) << lumps << " " << k;
     }
   }
