@@ -308,7 +308,7 @@ void ConfigFile::fill(const Section& section) {
 bool ConfigFile::has(const std::string& section, const std::string& key) const {
   if (section.empty()) return state_->root.contains(key);
   if (key.empty()) return state_->root.contains(section);
-  return static_cast<bool>(state_->root[section][key]);
+  return static_cast<bool>(state_->root[section][key]) || state_->written_as.contains(qualified(section, key));
 }
 
 bool ConfigFile::has_table(const std::string& name) const {

@@ -134,6 +134,11 @@ TEST_F(DrillStudies, MapRefusesWrongRanges) {
   refused(map + " --picture map.svg", "must end in .png or .pdf");
   refused(map + " --hook-load-kN 15 --picture " + path("map.png"), "at least two hook loads and two speeds");
   refused("drill map " + path("case.toml"), "--model");
+  std::string fed = base::read_whole(path("case.toml"));
+  const std::string load = "hook_load_kN = ";
+  fed.replace(fed.find(load), load.size(), "hoist = \"feed\"\nline_stiffness_N_per_m = 8e6\nweight_on_bit_kN = ");
+  base::write_whole(path("fed.toml"), fed);
+  refused("drill map " + path("fed.toml") + model + " -o " + path("map.csv"), "needs top_drive.hoist = 'load'");
   EXPECT_FALSE(std::filesystem::exists(path("map.csv")));
 }
 

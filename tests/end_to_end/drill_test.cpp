@@ -52,6 +52,32 @@ TEST(Drill, RunWritesAFileAndASummaryThatBalances) {
   EXPECT_EQ(summary["clamped"]["asked"].get<int>(), 0);
 }
 
+TEST(Drill, AHoistThatIsFedHasAHookLoad) {
+  const scratch::Folder folder("drill_hoist");
+  std::string text = sinusoidal_case();
+  const std::string load = "hook_load_kN = 25";
+  text.replace(text.find(load), load.size(),
+               "hoist = \"autodriller\"\nline_stiffness_N_per_m = 8e6\nweight_on_bit_kN = 14");
+  base::write_whole(folder / "case.toml", text);
+  const std::string file = (folder / "case.toml").string(), made = (folder / "run.h5").string();
+  const auto outcome = run("drill run " + file + " -o " + made + " --json " + (folder / "run.json").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("hook load"), std::string::npos) << outcome.text;
+  const auto summary = json(folder / "run.json")["summary"];
+  EXPECT_NEAR(summary["hook_load_N"]["mean"].get<double>() + summary["total_force_N"]["mean"].get<double>(), 39310.0,
+              150.0);
+  EXPECT_EQ(run("report " + made + " -o " + (folder / "page.html").string()).status, 0);
+  EXPECT_NE(base::read_whole(folder / "page.html").find("by an autodriller for 14 kN"), std::string::npos);
+  EXPECT_EQ(run("export config " + made + " -o " + (folder / "again.toml").string()).status, 0);
+  EXPECT_NE(base::read_whole(folder / "again.toml").find("hoist = \"autodriller\""), std::string::npos);
+  text.replace(text.find("line_stiffness_N_per_m = 8e6"), 28, "line_stiffness_N_per_m = 1e12");
+  base::write_whole(folder / "stiff.toml", text);
+  const auto stiff = run("drill run " + (folder / "stiff.toml").string() + " -o " + made);
+  EXPECT_EQ(stiff.status, 0) << "in a row with the pipe above the first lump\n" << stiff.text;
+  EXPECT_EQ(run("drill modes " + file + " --json " + (folder / "m.json").string()).status, 0);
+  EXPECT_GT(json(folder / "m.json")["axial_off_bottom_Hz"][0].get<double>(), 3.0);
+}
+
 TEST(Drill, CheckRunsNothing) {
   const scratch::Folder folder("drill_check");
   base::write_whole(folder / "case.toml", sinusoidal_case());

@@ -97,6 +97,8 @@ TEST(OilfieldKey, ACheckOfSeveralKeysShowsTheOneThatIsThere) {
   Pipe pipe;
   base::ConfigFile file = base::ConfigFile::from_text("[pipe]\nlength_ft = 500\n", "case.toml");
   file.fill(describe(pipe));
+  EXPECT_TRUE(file.has("pipe", "length_m")) << "under its other unit";
+  EXPECT_FALSE(file.has("pipe", "outer_diameter_mm"));
   try {
     file.refuse("pipe", "length_m", "is longer than the hole");
   } catch (const base::InputError& error) {

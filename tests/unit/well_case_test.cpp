@@ -103,6 +103,7 @@ TEST_F(WellCases, WrongOnesAreRefusedInWords) {
   refused(with("step_ms = 0.5", "step_ms = 5"), "step_ms");
   refused(with("[run]", "[trip]\nweight_on_bit_kN = 40\n[run]"), "bottom");
   refused(with("rotation_rpm = 30", "rotation_rpm = 30\nhook_load_kN = 3"), "hook_load_kN");
+  refused(with("rotation_rpm = 30", "rotation_rpm = 30\nhook_load_klbf = 3"), "top_drive.hook_load_klbf = 3");
   for (const char* key :
        {"hoist = \"feed\"", "line_stiffness_N_per_m = 8e6", "line_damping_N_s_per_m = 1", "feed_m_per_h = 3",
         "weight_on_bit_kN = 3", "slack_off_m_per_s = 0.1", "autodriller_time_s = 3"})
