@@ -69,7 +69,7 @@ RUNS = [
     ("parity", f"parity {MODEL} {DATA}"),
     ("rebuild", "rebuild study/forces.h5 --draws 2"),
     ("signal", f"signal {BIT} --model {MODEL} --rpm 120 --rop-m-per-h 15 --duration-s 0.1 --rate-hz 1000 -o signal.csv"),
-    ("drill run", f"drill run short.toml --model {MODEL} -o drill.h5"),
+    ("drill run", f"drill run fed.toml --model {MODEL} -o drill.h5"),
     ("drill run --check", f"drill run short.toml --model {MODEL} --check"),
     ("drill run in a well", "drill run well.toml -o well.h5"),
     ("drill run in a well --check", "drill run well.toml --check"),
@@ -109,6 +109,12 @@ def short_case():
     """The shipped stick-slip case, one second of it."""
     text = (SHIPPED / "drill/stick_slip.toml").read_text(encoding="utf-8").replace("../", f"{SHIPPED}/")
     return text.replace("duration_s = 30", "duration_s = 1").replace("settling_s = 5", "settling_s = 0.2")
+
+
+def fed_case():
+    """The same below a block that an autodriller lowers."""
+    hoist = 'hoist = "autodriller"\nline_stiffness_N_per_m = 8e6\nweight_on_bit_kN = 24.9'
+    return short_case().replace("hook_load_kN = 15", hoist)
 
 
 def short_well():
@@ -240,7 +246,8 @@ def pages(build):
     made = {"keys.md": ran(lists, ["keys"], "."), "flags.md": ran(lists, ["flags"], ".")}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for file, text in {**INPUTS, "short.toml": short_case(), "well.toml": short_well(), "pressures.csv": under_pressures()}.items():
+        for file, text in {**INPUTS, "short.toml": short_case(), "fed.toml": fed_case(), "well.toml": short_well(),
+                           "pressures.csv": under_pressures()}.items():
             (folder / file).write_text(text, encoding="utf-8")
         results = "# JSON keys\n\n" + BY_HAND + (
             "`--json FILE` writes them. *null*: the run had no value there; *NAME*: an\n"

@@ -41,8 +41,9 @@ constexpr std::array<SeriesEntry, 12> series_entries{
 
 /// Of hoists that are fed.
 constexpr std::array<SeriesEntry, 2> hoist_entries{
-    {{"/series/hook_load_N", &DrillSeries::hook_load_N, "N", "of the hoist on the string, upwards"},
-     {"/series/block_speed_m_per_s", &DrillSeries::block_speed_m_per_s, "m/s", "of the block, downwards"}}};
+    {{"/series/hook_load_N", &DrillSeries::hook_load_N, "N", "of a hoist that is fed on the string, upwards"},
+     {"/series/block_speed_m_per_s", &DrillSeries::block_speed_m_per_s, "m/s",
+      "of the block of a hoist that is fed, downwards"}}};
 constexpr const char* hook_load_path = "/summary/hook_load_N";
 
 struct SpreadEntry {
