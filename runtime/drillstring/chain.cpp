@@ -94,6 +94,7 @@ Chain torsional_chain(const std::vector<PipeSection>& pipes, int lumps, Lumping 
 
 std::vector<double> lump_weights(const std::vector<PipeSection>& pipes, int lumps, double fluid_density) {
   std::vector<double> weights;
+  weights.reserve(static_cast<std::size_t>(lumps));
   const double stretch = total_length(pipes) / lumps;
   for (int i = 0; i < lumps; ++i) {
     weights.push_back(integral(pipes, i * stretch, (i + 1) * stretch, [=](const PipeSection& pipe) {

@@ -69,7 +69,7 @@ TEST(Drill, AHoistThatIsFedHasAHookLoad) {
   EXPECT_EQ(run("report " + made + " -o " + (folder / "page.html").string()).status, 0);
   EXPECT_NE(base::read_whole(folder / "page.html").find("by an autodriller for 14 kN"), std::string::npos);
   EXPECT_EQ(run("export config " + made + " -o " + (folder / "again.toml").string()).status, 0);
-  EXPECT_NE(base::read_whole(folder / "again.toml").find("hoist = \"autodriller\""), std::string::npos);
+  EXPECT_NE(base::read_whole(folder / "again.toml").find("hoist = 'autodriller'"), std::string::npos);
   text.replace(text.find("line_stiffness_N_per_m = 8e6"), 28, "line_stiffness_N_per_m = 1e12");
   base::write_whole(folder / "stiff.toml", text);
   const auto stiff = run("drill run " + (folder / "stiff.toml").string() + " -o " + made);
