@@ -99,7 +99,7 @@ class ConfigFile {
   /// Fills the fields of one section. A missing section counts as empty. A number whose range lacks a limit is a fault
   /// of the program: throws `std::logic_error`. One value under both its keys, `length_m` and `length_ft`, is refused.
   void fill(const Section& section);
-  /// Whether the file has this section, or this key of it.
+  /// Whether the file has this section, or this key of it; once it is filled, also under the key of its other unit.
   bool has(const std::string& section, const std::string& key = "") const;
   /// Whether the name is a table here, not a single value: `[rock]`, not `rock = "file"`.
   bool has_table(const std::string& name) const;
