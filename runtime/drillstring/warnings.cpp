@@ -127,7 +127,7 @@ double highest_coefficient(const Friction& friction) {
 void warn_of_drive(const DrillString& string, double weight, std::vector<std::string>& found) {
   const TopDrive& drive = string.drive;
   if (drive.imposes_speed) {
-    if (drive.rotation == 0.0) found.push_back("rotation_rpm = 0: the string does not turn, nothing is cut");
+    if (drive.rotation == 0.0) found.emplace_back("rotation_rpm = 0: the string does not turn, nothing is cut");
     return;
   }
   const double wall = std::accumulate(string.wall_moment.begin(), string.wall_moment.end(), 0.0);
@@ -147,7 +147,8 @@ void warn_of_parts(const DrillCase& drill, std::vector<std::string>& found) {
                                 i + 1, drill.pipes[i].outer_diameter / mm, drill.bit.diameter / mm));
   }
   if ((drill.pressure_drop > 0.0) != (drill.nozzle_area > 0.0))
-    found.push_back("fluid: pressure_drop_MPa and nozzle_area_mm2 go together; with one of them 0 jets have no force");
+    found.emplace_back(
+        "fluid: pressure_drop_MPa and nozzle_area_mm2 go together; with one of them 0 jets have no force");
 }
 
 /// Mean axial force of a source while the bit turns steadily at the speed of the drive, and drills as it does at the
@@ -188,7 +189,7 @@ std::vector<std::string> warnings(const DrillCase& drill, const DrillString& str
   warn_of_hoist(string, found);
   warn_of_drive(string, weight, found);
   if (drill.source.kind == SourceKind::bit && string.axial.size() == 0)
-    found.push_back("without an axial chain the source's axial force has nothing to act on");
+    found.emplace_back("without an axial chain the source's axial force has nothing to act on");
   warn_of_parts(drill, found);
   warn_of_beginning(drill, string, weight, found);
   return found;

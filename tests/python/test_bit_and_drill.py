@@ -73,7 +73,7 @@ def test_drill_run_of_the_program(program, short_drill, tmp_path):
     seen = program("drill", "run", short_drill, "--seed", 4, "-o", tmp_path / "d.h5")
     read, made = bitrock.read_drill(tmp_path / "d.h5"), bitrock.drill_run(short_drill, seed=4)
     series = [name for name in dir(made) if isinstance(getattr(made, name), np.ndarray)]
-    assert len(series) == 12
+    assert len(series) == 14
     for name in series:
         np.testing.assert_array_equal(getattr(read, name), getattr(made, name), err_msg=name)
     assert read.summary == made.summary
@@ -85,6 +85,18 @@ def test_drill_run_of_the_program(program, short_drill, tmp_path):
     made.save(tmp_path / "again.h5")
     again = bitrock.read_drill(tmp_path / "again.h5")
     np.testing.assert_array_equal(again.torque_on_bit_N_m, made.torque_on_bit_N_m)
+
+
+def test_hook_load_of_a_hoist_that_is_fed(short_drill):
+    assert bitrock.drill_run(short_drill).hook_load_N.size == 0
+    table = tomllib.loads(short_drill.read_text())
+    del table["top_drive"]["hook_load_kN"]
+    table["top_drive"] |= {"hoist": "autodriller", "weight_on_bit_kN": 15, "line_stiffness_N_per_m": 8e6}
+    made = bitrock.drill_run(table)
+    assert made.hook_load_N.shape == made.block_speed_m_per_s.shape == made.time_s.shape
+    settled = made.hook_load_N[made.time_s >= 0.5]
+    assert settled.min() >= made.summary["hook_load_N"]["min"] and settled.max() <= made.summary["hook_load_N"]["max"]
+    assert settled.mean() == pytest.approx(made.summary["hook_load_N"]["mean"], rel=0.02)
 
 
 def test_drill_case_as_a_dict_with_a_model(short_drill, model):
