@@ -57,6 +57,16 @@ py::object as_dict(const std::optional<surrogate::NoiseAlone>& noise) {
   return dict;
 }
 
+py::object as_dict(const std::optional<surrogate::NetworkError>& error) {
+  if (!error) return py::none();
+  py::dict dict;
+  dict["rms"] = error->rms;
+  dict["rms_high"] = error->rms_high;
+  dict["bias"] = error->bias;
+  dict["bias_chance"] = error->bias_chance;
+  return dict;
+}
+
 /// By the names of `bitrock parity --json`.
 py::dict as_dict(const ParitySummary& s) {
   py::dict dict;
@@ -134,6 +144,10 @@ void bind_output(py::module_& module) {
       .def_property_readonly(
           "verdict", [](const OutputParity& self) { return name_of(self.judged.verdict); },
           "at_noise_floor, above_noise_floor, above_in_places, too_noisy or no_scatter_known")
+      .def_property_readonly(
+          "network_error", [](const OutputParity& self) { return as_dict(self.error); },
+          "of the networks alone over the cases held out, the scatter of the data taken out: rms, rms_high, bias,\n"
+          "bias_chance [1]; None when not known")
       .def_property_readonly(
           "times_noise", [](const OutputParity& self) { return self.judged.ratio; },
           "error over the standard error of the data; None when not known")

@@ -48,8 +48,8 @@ ParityPoint parity_point(const TrainingRow& mean, CaseRole role, const ScatterLa
                     .standard_error_known = mean.standard_errors.has_value(),
                     .noise = standard_error(law, output, value, mean.cut_length, mean.cuts),
                     .prediction = prediction};
-  const double half_way = standard_error(law, output, 0.5 * (value + prediction), mean.cut_length, mean.cuts);
-  if (half_way > 0.0) point.residual = (prediction - value) / half_way;
+  point.noise_half_way = standard_error(law, output, 0.5 * (value + prediction), mean.cut_length, mean.cuts);
+  if (point.noise_half_way > 0.0) point.residual = (prediction - value) / point.noise_half_way;
   return point;
 }
 
@@ -197,6 +197,11 @@ void compare(OutputParity& output) {
   output.held_out = summary_of(held_out, range);
   output.judged =
       held_out.empty() ? judged(output, output.points, output.all) : judged(output, held_out, output.held_out);
+  std::vector<JudgedCase> cases;
+  for (const ParityPoint& point : held_out)
+    cases.push_back(
+        {.prediction = point.prediction, .dem_mean = point.dem_mean, .standard_error = point.noise_half_way});
+  output.error = network_error(cases, law_degrees(output.points));
 }
 
 /// Networks that do not ask for the pressure know one alone.

@@ -11,6 +11,7 @@
 
 #include "surrogate/net/model.hpp"
 #include "surrogate/train/data.hpp"
+#include "surrogate/train/network_error.hpp"
 #include "surrogate/train/noise_floor.hpp"
 
 namespace bitrock::surrogate {
@@ -40,6 +41,7 @@ struct ParityPoint {
   bool standard_error_known = false;         ///< two cuts or more
   double noise = 0.0;              ///< s_i, its standard error by the law of scatter, at the DEM mean; 0 when not known
   double prediction = 0.0;         ///< of the network
+  double noise_half_way = 0.0;     ///< the same half-way between DEM mean and prediction
   std::optional<double> residual;  ///< r_i of `noise_floor.hpp` [1]
 };
 
@@ -76,6 +78,7 @@ struct OutputParity {
   std::vector<ParityPoint> points;                 ///< in the order of the data
   ParitySummary all, train, validation, held_out;  ///< over the cases of each role
   NoiseVerdict judged;                             ///< on held-out cases, or on all when there are none
+  std::optional<NetworkError> error;               ///< on held-out cases; absent when there are none
 };
 
 /// A comparison of a model with data.

@@ -139,6 +139,10 @@ TEST(SurrogateParity, NoiseIsThatOfTheLaw) {
   EXPECT_NEAR(value.mean, half_normal * (std::sqrt(phi / 2) + std::sqrt(phi)) / 2, 1e-14);
   EXPECT_NEAR(range.max, half_normal * std::sqrt(2 * squares) / 20.0, 1e-8);
   EXPECT_GT(value.high_max, value.max);
+  // the network says 10 for 12 and 20; shares are of what it says
+  EXPECT_NEAR(seen.error->bias, (-0.2 - 1.0) / 2, 1e-15);
+  const double half_way = phi * (121.0 / 2 + 225.0) / 100.0 / 2;
+  EXPECT_NEAR(seen.error->rms, std::sqrt((0.04 + 1.0) / 2 - half_way), 1e-13);
   // nothing scatters in output 1
   EXPECT_FALSE(all_outputs.outputs[1].points[0].residual);
   EXPECT_FALSE(all_outputs.outputs[1].all.noise || all_outputs.outputs[1].all.noise_alone);
@@ -155,6 +159,7 @@ TEST(SurrogateParity, VerdictRestsOnHeldOutCases) {
   all_learnt.provenance.test_cases = {};
   const Parity fallen_back = surrogate::parity(all_learnt, constructed());
   EXPECT_FALSE(fallen_back.has_held_out);
+  EXPECT_FALSE(fallen_back.outputs[0].error);
   EXPECT_FALSE(fallen_back.outputs[0].held_out.rmse.has_value());
   EXPECT_EQ(*fallen_back.outputs[0].judged.ratio, *fallen_back.outputs[0].all.rmse_over_noise);
 }

@@ -15,6 +15,14 @@ nlohmann::json as_json(const std::optional<surrogate::NoiseAlone>& noise) {
   return {{"mean", noise->mean}, {"max", noise->max}, {"max_95", noise->high_max}};
 }
 
+nlohmann::json as_json(const std::optional<surrogate::NetworkError>& error) {
+  if (!error) return nullptr;
+  return {{"rms", error->rms},
+          {"rms_high", error->rms_high},
+          {"bias", error->bias},
+          {"bias_chance", error->bias_chance}};
+}
+
 nlohmann::json as_json(const surrogate::ParitySummary& s) {
   return {{"cases", s.cases},
           {"zero_cases", s.zero_cases},
@@ -44,6 +52,7 @@ nlohmann::json as_json(const surrogate::OutputParity& output) {
   json["times_noise_high"] = as_json(output.judged.ratio_high);
   json["cases_above_noise"] = output.judged.cases_above;
   json["model_error"] = as_json(output.judged.model_error);
+  json["network_error"] = as_json(output.error);
   return json;
 }
 

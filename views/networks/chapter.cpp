@@ -13,9 +13,9 @@ namespace {
 // A network of 71 parameters cannot be judged on fewer cases than about half of that.
 constexpr std::size_t enough_cases = 40;
 
-template <class Member>
-std::string percent_of(const std::optional<surrogate::NoiseAlone>& noise, Member member) {
-  return noise ? percent(*noise.*member) : "-";
+template <class Shares>
+std::string percent_of(const std::optional<Shares>& shares, double Shares::*member) {
+  return shares ? percent(*shares.*member) : "-";
 }
 
 const surrogate::ParitySummary& judged_cases(const surrogate::Parity& parity, const surrogate::OutputParity& output) {
@@ -37,19 +37,24 @@ std::string unbroken(const std::string& text) {
 report::Table verdict_table(const surrogate::Parity& parity) {
   report::Table table{
       .caption = fmt::format(
-          "{} Root mean square error beside the standard error (s.e.) of the DEM means, by the law of scatter; "
-          "deviations relative to the DEM value beside what noise alone would give a faultless network.",
+          "{} Network: how far it is off itself, the scatter of the DEM taken out, as a share of what it says, and the "
+          "upper end of the 95 % interval of that; bias beside what chance makes of it. Root mean square error beside "
+          "the standard error (s.e.) of the DEM means, by the law of scatter; mean deviation relative to the DEM value "
+          "beside what noise alone would give a faultless network.",
           parity.has_held_out ? "The cases held out from training." : "No case was held out: all cases, learnt from."),
-      .header = {"output", "verdict", "unit", "DEM s.e.", "RMSE", "RMSE / s.e.", "mean dev.", "noise alone", "max dev.",
-                 "noise alone"}};
+      .header = {"output", "verdict", "network", "at most", "bias", "chance", "unit", "DEM s.e.", "RMSE", "RMSE / s.e.",
+                 "mean dev.", "noise alone"}};
   for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
     const surrogate::OutputParity& output = parity.outputs[k];
     const surrogate::ParitySummary& seen = judged_cases(parity, output);
     const auto [name, unit, factor] = shown(output, k);
-    table.rows.push_back({unbroken(name), unbroken(verdict_text(output.judged)), unit, number(seen.noise, factor),
-                          number(seen.rmse, factor), number(seen.rmse_over_noise), percent(seen.mean_deviation),
-                          percent_of(seen.noise_alone, &surrogate::NoiseAlone::mean), percent(seen.max_deviation),
-                          percent_of(seen.noise_alone, &surrogate::NoiseAlone::max)});
+    table.rows.push_back({unbroken(name), unbroken(verdict_text(output.judged)),
+                          percent_of(output.error, &surrogate::NetworkError::rms),
+                          percent_of(output.error, &surrogate::NetworkError::rms_high),
+                          percent_of(output.error, &surrogate::NetworkError::bias),
+                          percent_of(output.error, &surrogate::NetworkError::bias_chance), unit,
+                          number(seen.noise, factor), number(seen.rmse, factor), number(seen.rmse_over_noise),
+                          percent(seen.mean_deviation), percent_of(seen.noise_alone, &surrogate::NoiseAlone::mean)});
   }
   return table;
 }

@@ -15,17 +15,23 @@ std::string parity_table(const surrogate::Parity& parity) {
                 first.held_out.cases, first.all.cases)
           : fmt::format("no case was held out: all {} cases, learnt from, so the network may follow their noise\n",
                         first.all.cases);
-  constexpr const char* line = "{:<{}} {:<5} {:>8} {:>8} {:>7}  {:>8} {:>7}  {:>8} {:>8}   {}\n";
+  constexpr const char* line =
+      "{:<{}} {:<5} {:>8} {:>8} {:>7}  {:>7} {:>7}  {:>7} {:>6}  {:>8} {:>7}  {:>8} {:>8}   {}\n";
   const int width = parity.outputs.size() > surrogate::article_output_count ? 18 : 9;
-  table += fmt::format(line, "output", width, "unit", "DEM s.e.", "RMSE", "x s.e.", "mean dev", "(noise)", "max dev",
-                       "(noise)", "verdict");
+  table += fmt::format(line, "output", width, "unit", "DEM s.e.", "RMSE", "x s.e.", "network", "(most)", "bias", "(+-)",
+                       "mean dev", "(noise)", "max dev", "(noise)", "verdict");
   for (std::size_t k = 0; k < parity.outputs.size(); ++k) {
     const surrogate::OutputParity& output = parity.outputs[k];
     const surrogate::ParitySummary& seen = parity.has_held_out ? output.held_out : output.all;
     const auto [name, unit, factor] = shown(output, k);
     const auto& noise = seen.noise_alone;
+    const auto of = [&](double surrogate::NetworkError::*share) {
+      return output.error ? std::optional(*output.error.*share) : std::nullopt;
+    };
     table += fmt::format(line, name, width, unit, number(seen.noise, factor), number(seen.rmse, factor),
-                         number(seen.rmse_over_noise), percent(seen.mean_deviation),
+                         number(seen.rmse_over_noise), percent(of(&surrogate::NetworkError::rms)),
+                         percent(of(&surrogate::NetworkError::rms_high)), percent(of(&surrogate::NetworkError::bias)),
+                         percent(of(&surrogate::NetworkError::bias_chance)), percent(seen.mean_deviation),
                          percent(noise ? std::optional(noise->mean) : std::nullopt), percent(seen.max_deviation),
                          percent(noise ? std::optional(noise->max) : std::nullopt), verdict_text(output.judged));
   }
