@@ -92,7 +92,9 @@ function(bitrock_module name)
   target_link_libraries(bitrock_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
   bitrock_target_rules(bitrock_${name})
   list(LENGTH arg_SOURCES count)
-  if(fmt::fmt IN_LIST arg_LINKS OR bitrock::base IN_LIST arg_LINKS)  # base brings fmt
+  # base brings fmt. Without optimising, fmt asks for -Og by a pragma, and behind a precompiled header g++ 12 goes on to say
+  # that it optimises: then the headers of vector instructions are not compiled (Eigen, Highway).
+  if((fmt::fmt IN_LIST arg_LINKS OR bitrock::base IN_LIST arg_LINKS) AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
     list(APPEND arg_PRECOMPILED <fmt/format.h>)
   endif()
   if(count GREATER 6 AND NOT arg_OBJECTS)  # fewer are read sooner one by one
