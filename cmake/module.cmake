@@ -7,7 +7,6 @@
 # LINKS          what the headers need
 # PRIVATE_LINKS  what only the sources need, but whoever links the module must link too
 # OBJECTS        is never a shared library of its own: others take it in
-# PRECOMPILED    headers of several seconds that most sources include, besides those of every module
 #
 # In either list of links, $<BUILD_INTERFACE:Eigen3::Eigen> is a library of headers that only files of the house include:
 # whoever uses the installed package does not need it.
@@ -70,15 +69,20 @@ function(bitrock_component target)
   set_property(GLOBAL PROPERTY bitrock_packages_of_${name} ${packages})
 endfunction()
 
-# Reading the headers of the standard library and of fmt is three quarters of what the compiler does for most sources: it
-# does so once a module. No source may rely on it: `./run lint` reads each without.
-function(bitrock_precompile target)
-  target_precompile_headers(${target} PRIVATE ${ARGN} <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map>
+# Reading the headers of the standard library and of fmt is most of what the compiler does for most sources: it does so once
+# a module. No source may rely on it: `./run lint` reads each without.
+function(bitrock_precompile target links)
+  # base brings fmt. Without optimising, fmt asks for -Og by a pragma, and behind a precompiled header g++ 12 goes on to say
+  # that it optimises: then the headers of vector instructions are not compiled (Eigen, Highway).
+  if((fmt::fmt IN_LIST links OR bitrock::base IN_LIST links) AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
+    set(fmt <fmt/format.h>)
+  endif()
+  target_precompile_headers(${target} PRIVATE ${fmt} <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map>
                             <memory> <numbers> <optional> <span> <string> <string_view> <utility> <vector>)
 endfunction()
 
 function(bitrock_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "OBJECTS" "" "SOURCES;HEADERS;LINKS;PRIVATE_LINKS;PRECOMPILED")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OBJECTS" "" "SOURCES;HEADERS;LINKS;PRIVATE_LINKS")
   if(arg_OBJECTS OR NOT arg_HEADERS)  # without public headers: part of the program, not installed
     set(kind STATIC)
   endif()
@@ -92,13 +96,8 @@ function(bitrock_module name)
   target_link_libraries(bitrock_${name} PUBLIC ${arg_LINKS} PRIVATE ${arg_PRIVATE_LINKS})
   bitrock_target_rules(bitrock_${name})
   list(LENGTH arg_SOURCES count)
-  # base brings fmt. Without optimising, fmt asks for -Og by a pragma, and behind a precompiled header g++ 12 goes on to say
-  # that it optimises: then the headers of vector instructions are not compiled (Eigen, Highway).
-  if((fmt::fmt IN_LIST arg_LINKS OR bitrock::base IN_LIST arg_LINKS) AND NOT CMAKE_BUILD_TYPE STREQUAL Debug)
-    list(APPEND arg_PRECOMPILED <fmt/format.h>)
-  endif()
   if(count GREATER 6 AND NOT arg_OBJECTS)  # fewer are read sooner one by one
-    bitrock_precompile(bitrock_${name} ${arg_PRECOMPILED})
+    bitrock_precompile(bitrock_${name} "${arg_LINKS}")
   endif()
   if(arg_HEADERS)
     bitrock_component(bitrock_${name} ${arg_LINKS} ${arg_PRIVATE_LINKS})

@@ -11,6 +11,7 @@
 #include "base/errors.hpp"
 #include "base/units.hpp"
 #include "runtime/drillstring/pipe_entry.hpp"
+#include "runtime/drillstring/top_drive_keys.hpp"
 
 namespace bitrock::runtime {
 
@@ -33,26 +34,6 @@ const base::Range torsional_spring = between(1e-3, 1e10), torsional_damper = bet
 const base::Range bit_mass = between(0.0, 1e5), bit_inertia = between(0.0, 1e5);  // kg, kg m2; with its motor
 const base::Range torque = between(0.0, 1e7);                                     // N m; ten times the top drive's
 const base::Range duration = between(1e-3, 1e6), pause = between(0.0, 1e6);       // s; 1e6 s are eleven days
-
-/// Of how the drive answers to the string. A stiff drive does not say them: texts of older cases stay valid.
-constexpr std::array control_keys{"control", "control_damping_N_m_s_per_rad", "control_period_s", "reaction_time_ms"};
-
-/// Of a hoist that is fed, with the rules that make use of each. A hoist that is a load does not say them, either.
-struct HoistKey {
-  const char* name;
-  bool of_feed, of_autodriller;
-};
-constexpr std::array<HoistKey, 7> hoist_keys{{{"hoist", true, true},
-                                              {"line_stiffness_N_per_m", true, true},
-                                              {"line_damping_N_s_per_m", true, true},
-                                              {"feed_m_per_h", true, false},
-                                              {"weight_on_bit_kN", true, true},
-                                              {"slack_off_m_per_s", false, true},
-                                              {"autodriller_time_s", false, true}}};
-
-bool has_meaning(const HoistKey& key, HoistRule rule) {
-  return (key.of_feed && rule == HoistRule::feed) || (key.of_autodriller && rule == HoistRule::autodriller);
-}
 
 /// Words of the file on their way to enumerations.
 struct Words {
@@ -162,24 +143,25 @@ std::vector<base::Section> describe_operation(DrillCase& drill, Words& words) {
         {"inertia_kg_m2", &drill.drive_inertia, 1.0, between(0.0, 1e6),
          "of a drive that imposes torque, or has soft torque (0: 2900)"},
         {"damping_N_m_s_per_rad", &drill.drive_damping, 1.0, torsional_damper, "of a drive that imposes torque"},
-        {control_keys[0], &words.control, 1.0, any(),
+        {"control", &words.control, 1.0, any(),
          "how the drive answers to the string: 'stiff', 'soft_torque' or 'matched'"},
-        {control_keys[1], &drill.control.damping, 1.0, torsional_damper,
+        {"control_damping_N_m_s_per_rad", &drill.control.damping, 1.0, torsional_damper,
          "gain of that control; 0: by the impedance of the string"},
-        {control_keys[2], &drill.control.period, 1.0, zero_or(1e-3, 1e3),
+        {"control_period_s", &drill.control.period, 1.0, zero_or(1e-3, 1e3),
          "of the vibration it is tuned to; 0: the slowest of the string"},
-        {control_keys[3], &drill.control.reaction_time, ms, between(0.1, 1e3), "matched: how late the drive follows"},
-        {hoist_keys[0].name, &words.hoist, 1.0, any(),
+        {"reaction_time_ms", &drill.control.reaction_time, ms, between(0.1, 1e3),
+         "matched: how late the drive follows"},
+        {"hoist", &words.hoist, 1.0, any(),
          "what holds the string: 'load', the hook load; 'feed' or 'autodriller', a block that goes down"},
-        {hoist_keys[1].name, &drill.hoist.stiffness, 1.0, zero_or(1.0, 1e13),
+        {"line_stiffness_N_per_m", &drill.hoist.stiffness, 1.0, zero_or(1.0, 1e13),
          "of drill line and derrick, between block and string"},
-        {hoist_keys[2].name, &drill.hoist.damping, 1.0, axial_damper, "of the damper beside that spring"},
-        {hoist_keys[3].name, &drill.hoist.feed, m_per_h, between(0.0, 1000.0), "feed: speed of the block"},
-        {hoist_keys[4].name, &drill.hoist.weight_on_bit, kN, between(0.0, 1e4),
+        {"line_damping_N_s_per_m", &drill.hoist.damping, 1.0, axial_damper, "of the damper beside that spring"},
+        {"feed_m_per_h", &drill.hoist.feed, m_per_h, between(0.0, 1000.0), "feed: speed of the block"},
+        {"weight_on_bit_kN", &drill.hoist.weight_on_bit, kN, between(0.0, 1e4),
          "autodriller: held; feed: at the beginning, 0: with which the rock goes away as fast"},
-        {hoist_keys[5].name, &drill.hoist.autodriller.fastest, 1.0, between(1e-4, 1.0),
+        {"slack_off_m_per_s", &drill.hoist.autodriller.fastest, 1.0, between(1e-4, 1.0),
          "autodriller: fastest speed of the block"},
-        {hoist_keys[6].name, &drill.autodriller_time, 1.0, between(1.0, 1e3), "in which the autodriller answers"}}},
+        {"autodriller_time_s", &drill.autodriller_time, 1.0, between(1.0, 1e3), "in which the autodriller answers"}}},
       {"bit",
        {{"file", &drill.bit_file, 1.0, any(), "bit file, relative to this file; or the keys of a bit here"},
         {"mass_kg", &drill.bit_mass, 1.0, bit_mass, "added to the lowest axial lump"},
@@ -319,48 +301,10 @@ void read_chains(base::ConfigFile& file, DrillCase& drill) {
   check("axial", "damping_N_s_per_m", drill.axial.damping, masses - 1);
 }
 
-void check_control(const base::ConfigFile& file, const DrillCase& drill) {
-  const DriveControlCase& control = drill.control;
-  const bool stiff = control.answer == DriveAnswer::stiff, is_matched = control.answer == DriveAnswer::matched;
-  if (!stiff && !drill.drive.imposes_speed)
-    file.refuse("top_drive", "control", "must be 'stiff' for a drive that imposes torque");
-  for (const char* key : {control_keys[1], control_keys[2], control_keys[3]}) {
-    const bool of_matched = key == control_keys[3];
-    if ((of_matched ? !is_matched : stiff) && file.has("top_drive", key))
-      file.refuse("top_drive", key,
-                  of_matched ? "needs control = 'matched'" : "needs control = 'soft_torque' or 'matched'");
-  }
-  if (is_matched && drill.drive_inertia > 0.0)
-    file.refuse("top_drive", "inertia_kg_m2", "has no meaning with control = 'matched', which gives reaction_time_ms");
-  if (!stiff && drill.pipes.empty() && control.damping == 0.0)
-    file.refuse("top_drive", "control",
-                "needs control_damping_N_m_s_per_rad where [torsion] and not [[pipe]] gives the string");
-}
-
-void check_hoist(const base::ConfigFile& file, const DrillCase& drill, bool axial) {
-  const HoistRule rule = drill.hoist.rule;
-  for (const HoistKey& key : hoist_keys) {
-    if (&key == hoist_keys.data() || has_meaning(key, rule) || !file.has("top_drive", key.name)) continue;
-    file.refuse("top_drive", key.name,
-                key.of_feed && key.of_autodriller ? "needs hoist = 'feed' or 'autodriller'"
-                : key.of_feed                     ? "needs hoist = 'feed'"
-                                                  : "needs hoist = 'autodriller'");
-  }
-  if (rule == HoistRule::load) return;
-  if (!axial) file.refuse("top_drive", "hoist", "must be 'load' for a string without axial chain");
-  if (file.has("top_drive", "hook_load_kN"))
-    file.refuse("top_drive", "hook_load_kN", "is a result with hoist = 'feed' or 'autodriller'; take it out");
-  if (drill.hoist.stiffness == 0.0)
-    file.refuse("top_drive", "hoist", "needs the spring that holds the string (line_stiffness_N_per_m above 0)");
-  if (rule == HoistRule::autodriller && drill.hoist.weight_on_bit == 0.0)
-    file.refuse("top_drive", "hoist", "needs the weight that the autodriller holds (weight_on_bit_kN)");
-}
-
 void check_together(const base::ConfigFile& file, const DrillCase& drill) {
   const bool axial = !drill.pipes.empty() || drill.axial.size() > 0;
   const BitRock& rock = drill.bit_rock;
-  check_control(file, drill);
-  check_hoist(file, drill, axial);
+  check_top_drive(file, drill, axial);
   if (axial && rock.imposed_weight > 0.0)
     file.refuse("drilling", "imposed_weight_kN",
                 "needs a string without axial chain; here hook load and weight give it");
@@ -457,29 +401,6 @@ void put_bit_inside(std::vector<base::Section>& sections, Bit& bit, BitWords& wo
   sections.insert(sections.end(), of_bit.begin() + 1, of_bit.end());
 }
 
-/// Keys that have no meaning for this answer of the drive.
-void leave_out_control(std::vector<base::Section>& sections, DriveAnswer answer) {
-  const auto without_meaning = [answer](const base::Field& field) {
-    const auto key = std::find(control_keys.begin(), control_keys.end(), field.name);
-    if (key == control_keys.end() || answer == DriveAnswer::matched) return false;
-    return answer == DriveAnswer::stiff || key == control_keys.end() - 1;
-  };
-  for (base::Section& section : sections) std::erase_if(section.fields, without_meaning);
-}
-
-/// Keys of `[top_drive]` that have no meaning with this rule of the hoist.
-void leave_out_hoist(std::vector<base::Section>& sections, HoistRule rule) {
-  const auto without_meaning = [rule](const base::Field& field) {
-    const auto key = std::find_if(hoist_keys.begin(), hoist_keys.end(),
-                                  [&](const HoistKey& hoist_key) { return field.name == hoist_key.name; });
-    if (key != hoist_keys.end()) return !has_meaning(*key, rule);
-    return rule != HoistRule::load && field.name == "hook_load_kN";
-  };
-  for (base::Section& section : sections) {
-    if (section.name == "top_drive") std::erase_if(section.fields, without_meaning);
-  }
-}
-
 }  // namespace
 
 std::string resolved_common_toml(const DrillCase& drill, std::vector<base::Section> more,
@@ -487,8 +408,7 @@ std::string resolved_common_toml(const DrillCase& drill, std::vector<base::Secti
   DrillCase copy = drill;
   Words words = words_of(drill);
   std::vector<base::Section> sections = describe(copy, words);
-  leave_out_control(sections, copy.control.answer);
-  leave_out_hoist(sections, copy.hoist.rule);
+  leave_out_unused_of_top_drive(sections, copy);
   const auto is_out = [&](const std::string& name) {
     return std::find(left_out.begin(), left_out.end(), name) != left_out.end();
   };

@@ -15,11 +15,10 @@ struct JudgedCase {
 
 /// Shares of what the network says [1].
 struct NetworkError {
-  double rms = 0.0;       ///< e: expected error at such a case
-  double rms_high = 0.0;  ///< upper end of the 95 % interval of e: below it in 97.5 % of all data sets, or more
-  double bias = 0.0;      ///< b: above 0 where the network says too much
-  double bias_chance =
-      0.0;  ///< the scatter of the data alone stays within so much of either side in 95 % of all data sets
+  double rms = 0.0;          ///< e: expected error at such a case
+  double rms_high = 0.0;     ///< upper end of the 95 % interval of e: below it in 97.5 % of all data sets, or more
+  double bias = 0.0;         ///< b: above 0 where the network says too much
+  double bias_chance = 0.0;  ///< of b by scatter alone: within so much of either side in 95 % of all data sets
 };
 
 /// **What** Error and bias of a network over n cases.

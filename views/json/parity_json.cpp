@@ -17,10 +17,8 @@ nlohmann::json as_json(const std::optional<surrogate::NoiseAlone>& noise) {
 
 nlohmann::json as_json(const std::optional<surrogate::NetworkError>& error) {
   if (!error) return nullptr;
-  return {{"rms", error->rms},
-          {"rms_high", error->rms_high},
-          {"bias", error->bias},
-          {"bias_chance", error->bias_chance}};
+  return {
+      {"rms", error->rms}, {"rms_high", error->rms_high}, {"bias", error->bias}, {"bias_chance", error->bias_chance}};
 }
 
 nlohmann::json as_json(const surrogate::ParitySummary& s) {

@@ -13,11 +13,6 @@ namespace {
 // A network of 71 parameters cannot be judged on fewer cases than about half of that.
 constexpr std::size_t enough_cases = 40;
 
-template <class Shares>
-std::string percent_of(const std::optional<Shares>& shares, double Shares::*member) {
-  return shares ? percent(*shares.*member) : "-";
-}
-
 const surrogate::ParitySummary& judged_cases(const surrogate::Parity& parity, const surrogate::OutputParity& output) {
   return parity.has_held_out ? output.held_out : output.all;
 }

@@ -27,6 +27,11 @@ std::vector<report::Figure> residual_figures(const surrogate::Parity& parity);
 
 /// "12.3 %" of 0.123, "-" for what cannot be said.
 std::string percent(const std::optional<double>& share);
+/// The same of one share of several.
+template <class Shares>
+std::string percent_of(const std::optional<Shares>& shares, double Shares::*member) {
+  return percent(shares ? std::optional(*shares.*member) : std::nullopt);
+}
 /// Three digits, "-" for what cannot be said.
 std::string number(const std::optional<double>& value, double factor = 1.0);
 

@@ -24,16 +24,13 @@ std::string parity_table(const surrogate::Parity& parity) {
     const surrogate::OutputParity& output = parity.outputs[k];
     const surrogate::ParitySummary& seen = parity.has_held_out ? output.held_out : output.all;
     const auto [name, unit, factor] = shown(output, k);
-    const auto& noise = seen.noise_alone;
-    const auto of = [&](double surrogate::NetworkError::*share) {
-      return output.error ? std::optional(*output.error.*share) : std::nullopt;
-    };
     table += fmt::format(line, name, width, unit, number(seen.noise, factor), number(seen.rmse, factor),
-                         number(seen.rmse_over_noise), percent(of(&surrogate::NetworkError::rms)),
-                         percent(of(&surrogate::NetworkError::rms_high)), percent(of(&surrogate::NetworkError::bias)),
-                         percent(of(&surrogate::NetworkError::bias_chance)), percent(seen.mean_deviation),
-                         percent(noise ? std::optional(noise->mean) : std::nullopt), percent(seen.max_deviation),
-                         percent(noise ? std::optional(noise->max) : std::nullopt), verdict_text(output.judged));
+                         number(seen.rmse_over_noise), percent_of(output.error, &surrogate::NetworkError::rms),
+                         percent_of(output.error, &surrogate::NetworkError::rms_high),
+                         percent_of(output.error, &surrogate::NetworkError::bias),
+                         percent_of(output.error, &surrogate::NetworkError::bias_chance), percent(seen.mean_deviation),
+                         percent_of(seen.noise_alone, &surrogate::NoiseAlone::mean), percent(seen.max_deviation),
+                         percent_of(seen.noise_alone, &surrogate::NoiseAlone::max), verdict_text(output.judged));
   }
   return table;
 }
