@@ -198,6 +198,7 @@ void compare(OutputParity& output) {
   output.judged =
       held_out.empty() ? judged(output, output.points, output.all) : judged(output, held_out, output.held_out);
   std::vector<JudgedCase> cases;
+  cases.reserve(held_out.size());
   for (const ParityPoint& point : held_out)
     cases.push_back(
         {.prediction = point.prediction, .dem_mean = point.dem_mean, .standard_error = point.noise_half_way});
