@@ -10,9 +10,8 @@
 namespace bitrock::runtime {
 
 struct ClosedForms {
-  /// [Hz] first one of the continuous pipe.
-  double axial_continuous = 0.0,
-         torsional_continuous = 0.0;  ///< [Hz] first ones of the continuous pipe, free at the bit
+  double axial_continuous = 0.0;  ///< [Hz] lowest above 0 of the continuous pipe off bottom, held as its hoist holds it
+  double torsional_continuous = 0.0;  ///< [Hz] lowest of the continuous pipe, held by its drive, free at the bit
   std::vector<double> equal_lumps;    ///< [Hz] of the case's equal torsional lumps
 };
 

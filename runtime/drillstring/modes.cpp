@@ -117,6 +117,15 @@ double continuous_frequency(double wave_speed, double length, int k) {
   return (2.0 * k - 1.0) * wave_speed / (4.0 * length);
 }
 
+double hung_frequency(double wave_speed, double length, double stiffness_ratio) {
+  double low = 0.0, high = 0.5 * std::numbers::pi;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double x = 0.5 * (low + high);
+    (x * std::sin(x) < stiffness_ratio * std::cos(x) ? low : high) = x;
+  }
+  return low * wave_speed / (2.0 * std::numbers::pi * length);
+}
+
 double equal_lumps_frequency(double stiffness, double inertia, int lumps, int k) {
   return std::sqrt(stiffness / inertia) / std::numbers::pi *
          std::sin((2.0 * k - 1.0) * std::numbers::pi / (2.0 * (2.0 * lumps + 1.0)));

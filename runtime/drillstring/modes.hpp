@@ -40,6 +40,13 @@ double damping_margin(const Chain& chain);
 /// **Symbols** c [m/s] speed of the wave; L [m]; k = 1, 2, ...
 double continuous_frequency(double wave_speed, double length, int k);
 
+/// **What** Lowest frequency of the same string, whose top hangs on a spring instead.
+/// **Equation** f = x c / (2 pi L), x tan x = r, 0 < x < pi / 2; r = k L / (E A).
+/// **Symbols** k [N/m] of the spring; E A / L [N/m] of the string.
+/// **Source** wave equation with E A u' = k u at the top, elementary. Large r: `continuous_frequency`; small r: a mass
+/// on the spring, sqrt(k / (m' L)) / (2 pi).
+double hung_frequency(double wave_speed, double length, double stiffness_ratio);
+
 /// **What** Frequencies of N equal lumps at the lower ends of N equal springs, top held.
 /// **Equation** f_k = (1 / pi) sqrt(K / J) sin((2 k - 1) pi / (2 (2 N + 1))).
 /// **Source** waves along a chain of masses [Brillouin1946].

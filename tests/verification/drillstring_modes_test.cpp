@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "runtime/drillstring/closed_forms.hpp"
+#include "runtime/drillstring/drill_case.hpp"
 #include "runtime/drillstring/modes.hpp"
 #include "tests/verification/drillstring_fixtures.hpp"
 
@@ -67,6 +69,41 @@ TEST(DrillStringModes, LumpsInTheMiddleAreCloserToTheContinuousString) {
       EXPECT_NEAR(before / error, 4.0, 0.05);
     }
     before = error;
+  }
+}
+
+TEST(DrillStringModes, APipeOnALineHasTheFrequenciesOfARodOnASpring) {
+  const double speed = std::sqrt(200e9 / 7850.0), length = 150.0, free_top = 2.0 * 8.413;
+  // held still, and a mass on a spring: 1 / sqrt(r) of the held pipe's x = pi / 2
+  EXPECT_NEAR(runtime::hung_frequency(speed, length, 1e9), runtime::continuous_frequency(speed, length, 1), 1e-7);
+  EXPECT_NEAR(runtime::hung_frequency(speed, length, 1e-6) * 2.0 * pi * length / speed, 1e-3, 1e-9);
+  // x = pi / 4 where r = pi / 4
+  EXPECT_NEAR(runtime::hung_frequency(speed, length, pi / 4) * 8.0 * length / speed, 1.0, 1e-12);
+  runtime::DrillCase drill;
+  drill.pipes = {pipe()};
+  drill.lumping = Lumping::middle;
+  drill.bit_mass = 0.0;
+  drill.torsional_lumps = 2;
+  for (const bool fed : {false, true}) {
+    drill.hoist.rule = fed ? runtime::HoistRule::feed : runtime::HoistRule::load;
+    drill.hoist.stiffness = fed ? 8e6 : 0.0;
+    const double exact = runtime::closed_forms(drill)->axial_continuous;
+    if (fed) {
+      EXPECT_LT(exact, 0.5 * free_top);
+    } else {
+      EXPECT_NEAR(exact, free_top, 2e-3);
+    }
+    double before = 0.0;  // the lumps come to it with the second order of their length
+    for (const int lumps : {8, 16, 32}) {
+      drill.axial_lumps = lumps;
+      const std::vector<double> found =
+          runtime::natural_frequencies(runtime::held_axial_chain(runtime::assemble(drill)));
+      const double error = exact - found[fed ? 0 : 1];
+      if (before != 0.0) {
+        EXPECT_NEAR(before / error, 4.0, 0.1) << fed << " " << lumps;
+      }
+      before = error;
+    }
   }
 }
 

@@ -41,9 +41,10 @@ std::string modes_lines(const runtime::DrillCase& drill, const studies::StringOu
   std::string lines = drill.name + "\n" + lines_of(outlook.modes) + control_line(outlook.control);
   if (outlook.forms) {
     lines += fmt::format(
-        "closed forms for the pipe alone: continuous, free at the bit: axial {:.4g}, torsional {:.4g} Hz; equal "
+        "closed forms for the pipe alone: continuous, free at the bit: axial ({}) {:.4g}, torsional {:.4g} Hz; equal "
         "lumps: {} Hz\n",
-        outlook.forms->axial_continuous, outlook.forms->torsional_continuous, listed(outlook.forms->equal_lumps));
+        runtime::is_fed(drill.hoist) ? "on its line" : "free at the top, too", outlook.forms->axial_continuous,
+        outlook.forms->torsional_continuous, listed(outlook.forms->equal_lumps));
   }
   if (outlook.steady) {
     const auto [damping, demand] = *outlook.steady;
