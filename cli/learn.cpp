@@ -120,7 +120,8 @@ void add_learn(CLI::App& app) {
       ->required();
   command
       ->add_option("study", options->study,
-                   "This study gives the cutter, the sizes of cut and bed, and the range of speed, depth and rake.")
+                   "This study gives the cutter, the sizes of cut and bed, and the range of speed, depth, rake and "
+                   "pressure of the mud.")
       ->capture_default_str()
       ->check(not_empty());
   command

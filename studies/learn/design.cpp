@@ -33,12 +33,16 @@ double depth_at(const LearnRange& range, double share) {
   return base::rounded_to_digits(depth / base::mm, digits) * base::mm;
 }
 
+double pressure_at(const LearnRange& range, double share) {
+  if (share <= 0.0) return range.low_pressure;
+  if (share >= 1.0) return range.high_pressure;
+  const double root = std::lerp(std::sqrt(range.low_pressure), std::sqrt(range.high_pressure), share);
+  return base::rounded_to_digits(root * root / base::MPa, digits) * base::MPa;
+}
+
 }  // namespace
 
 LearnRange range_of(const Study& study) {
-  if (has_pressures(study))
-    throw base::InputError(
-        "the cases of the study have pressures of the mud of their own (a design has one: fluid.pressure_MPa)");
   LearnRange range;
   bool first = true;
   for_each_job(study, [&](const Job& job) {
@@ -50,13 +54,14 @@ LearnRange range_of(const Study& study) {
     widen(cut.cutter_speed, range.low_speed, range.high_speed);
     widen(cut.depth_of_cut, range.low_depth, range.high_depth);
     widen(cut.back_rake, range.low_rake, range.high_rake);
+    widen(cut.mud_pressure, range.low_pressure, range.high_pressure);
     first = false;
   });
   return range;
 }
 
 LearnDesign::LearnDesign(const Study& like, const LearnRange& range, std::uint64_t seed)
-    : like_(like), range_(range), seed_(seed) {
+    : like_(like), range_(range), seed_(seed), each_has_pressure_(has_pressures(like)) {
   like_.grid = {};
   like_.table = {};
   like_.table_file.clear();
@@ -73,10 +78,11 @@ double LearnDesign::time_of(double speed, double depth) const {
 }
 
 Study LearnDesign::next(int cuts, int batch) {
-  const base::EvenPoints points(4, seed_);
+  const bool pressures = range_.low_pressure < range_.high_pressure;
+  const base::EvenPoints points(pressures ? 5 : 4, seed_);
   Study study = like_;
   study.seeds = {static_cast<int>(seed_) + batch};
-  std::vector<std::tuple<double, double, double>> taken;
+  std::vector<std::tuple<double, double, double, double>> taken;
   constexpr int most_refused = 10000;  // one after the other: of a wide range some 20 are
   int refused = 0;
   while (static_cast<int>(taken.size()) < cuts) {
@@ -84,7 +90,8 @@ Study LearnDesign::next(int cuts, int batch) {
     const double speed = between(range_.low_speed, range_.high_speed, base::with_ends(at[0]), 1.0);
     const double depth = depth_at(range_, base::with_ends(at[1]));
     const double rake = between(range_.low_rake, range_.high_rake, base::with_ends(at[2]), base::deg);
-    const std::tuple one(speed, depth, rake);
+        const double pressure = pressures ? pressure_at(range_, base::with_ends(at[4])) : range_.low_pressure;
+    const std::tuple one(speed, depth, rake, pressure);
     if (at[3] > std::sqrt(least_time_ / time_of(speed, depth)) || std::ranges::find(taken, one) != taken.end()) {
       if (++refused < most_refused) continue;
       throw base::InputError(fmt::format(
@@ -95,6 +102,7 @@ Study LearnDesign::next(int cuts, int batch) {
     study.table.cutter_speed.push_back(speed);
     study.table.depth_of_cut.push_back(depth);
     study.table.back_rake.push_back(rake);
+    if (each_has_pressure_) study.table.mud_pressure.push_back(pressure);
   }
   return study;
 }

@@ -98,7 +98,7 @@ void run_batch(const LearnRequest& request, const Study& study, std::size_t batc
 
 Knowledge knowledge_of(const surrogate::TrainingData& data) {
   const std::vector<surrogate::TrainingRow> rows = surrogate::averaged(data).rows;
-  const surrogate::SmoothFormula formula = surrogate::fit_formula(rows);
+  const surrogate::SmoothFormula formula = surrogate::fit_formula(rows, surrogate::learnt_further(data));
   const auto n = static_cast<double>(rows.size()), p = static_cast<double>(formula.terms());
   Knowledge knowledge{
       .cuts = static_cast<int>(rows.size()), .terms = static_cast<int>(formula.terms()), .errors = {}, .scatter = {}};

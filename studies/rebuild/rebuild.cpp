@@ -94,7 +94,8 @@ surrogate::OutputValues own_statistics(const Portrait& dem, const KnownCase& kno
 RebuiltForce rebuilt_force(const surrogate::Model& model, SignalMode mode, const KnownCase& known, int pieces,
                            std::uint64_t seed, runtime::DrawTally& draws) {
   const FeatureRow& cut = known.conditions();
-  runtime::BitForce bit(one_cutter(mode, cut.back_rake, seed), model);
+  const std::optional<surrogate::Model> held = at_pressure_of(known, &model);
+  runtime::BitForce bit(one_cutter(mode, cut.back_rake, seed), held ? *held : model);
   const double rotation = cut.cutter_speed / path_radius;
   const runtime::BitMotion motion{.angle = 0.0,
                                   .rotation = rotation,

@@ -55,7 +55,7 @@ surrogate::OutputValues own_statistics(const Portrait& dem, const KnownCase& kno
 /// **What** The force that a model makes under constant conditions, `pieces` times as long as the cut.
 /// **Differences and validity** By the core of the runtime, for a bit of one cutter on a circle of 0.1 m: the
 /// conditions of the cut are those of its rotation and rate of penetration. Each sample is the mean of two points, as a
-/// sample of the DEM is the mean over its distance.
+/// sample of the DEM is the mean over its distance. Networks that ask for the pressure of the mud get that of the case.
 RebuiltForce rebuilt_force(const surrogate::Model& model, runtime::SignalMode mode, const KnownCase& known, int pieces,
                            std::uint64_t seed, runtime::DrawTally& draws);
 

@@ -9,15 +9,19 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "surrogate/net/further_inputs.hpp"
 
 namespace bitrock::surrogate {
 
 namespace {
 
-/// Depth first, as its logarithm.
+/// Depth first, as its logarithm; a pressure as its root.
 std::vector<double> variables_of(const TrainingRow& row, std::span<const LearntFurther> further) {
   std::vector<double> x{std::log(row.inputs[1]), row.inputs[0], row.inputs[2]};
-  for (const LearntFurther& one : further) x.push_back(row.further[one.place]);
+  for (const LearntFurther& one : further) {
+    const double value = row.further[one.place];
+    x.push_back(one.name == pressure_input ? std::sqrt(value) : value);
+  }
   return x;
 }
 

@@ -4,7 +4,9 @@
 /// in few noisy cases: that forces bend little between the cuts and at the edges of the data.
 ///
 /// **Equation** y = exp(sum_j c_j prod_k t_k^(a_jk)), a correlation without the exponential. t_1 is the logarithm of
-/// the depth of cut, t_2, t_3, ... speed, back rake and further inputs, each brought to -1 ... 1 over the rows. Powers
+/// the depth of cut, t_2, t_3, ... speed, back rake and further inputs, of the pressure of the mud its root, each
+/// brought to -1 ... 1 over the rows. (Forces rise steeply with the first megapascals: from 0 to 40 MPa a parabola for
+/// their logarithm is within 5 % over the root, and up to 37 % off over the pressure; docs/results/mud.md.) Powers
 /// a_jk are whole; together at most the degree, and above 2 of the depth alone. Degree 3 has 18 terms for three inputs,
 /// degree 2 has 10, degree 1 has 4.
 /// The coefficients have the greatest quasi-likelihood for the scatter of `scatter.hpp`, whose variance is y^2 for
@@ -37,7 +39,8 @@ inline constexpr double most_beyond = 10.0;
 
 /// A formula that was fitted.
 struct SmoothFormula {
-  /// t = (x - centre) / half_width, x the logarithm of the depth or another input in the unit of its column.
+  /// t = (x - centre) / half_width, x the logarithm of the depth, the root of the pressure, or another input; in the
+  /// unit of its column.
   struct Scale {
     double centre = 0.0;      ///< of the rows
     double half_width = 1.0;  ///< of the rows; 1 for an input that does not vary

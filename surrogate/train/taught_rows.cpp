@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/even_points.hpp"
+#include "surrogate/net/further_inputs.hpp"
 
 namespace bitrock::surrogate {
 
@@ -11,6 +12,13 @@ namespace {
 
 double between(double low, double high, double share) {
   return share == 1.0 ? high : low + (high - low) * share;
+}
+
+/// Evenly in the root, as the formula sees a pressure.
+double root_between(double low, double high, double share) {
+  if (share <= 0.0 || share >= 1.0) return share <= 0.0 ? low : high;
+  const double root = between(std::sqrt(low), std::sqrt(high), share);
+  return root * root;
 }
 
 }  // namespace
@@ -29,8 +37,10 @@ std::vector<TrainingRow> taught_rows(const SmoothFormula& formula, std::span<con
     row.inputs = {between(range[0].low, range[0].high, at[0]),
                   std::exp(between(std::log(range[1].low), std::log(range[1].high), at[1])),
                   between(range[2].low, range[2].high, at[2])};
-    for (std::size_t k = 0; k < formula.further.size(); ++k)
-      row.further[formula.further[k].place] = between(range[3 + k].low, range[3 + k].high, at[3 + k]);
+    for (std::size_t k = 0; k < formula.further.size(); ++k) {
+      const auto& spread = formula.further[k].name == pressure_input ? root_between : between;
+      row.further[formula.further[k].place] = spread(range[3 + k].low, range[3 + k].high, at[3 + k]);
+    }
     row.outputs = predict(formula, row);
     taught.push_back(row);
   }

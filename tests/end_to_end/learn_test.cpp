@@ -72,6 +72,19 @@ TEST_F(LearnProgram, FromLaboratoryNumbersARockIsCalibratedFirstAndKept) {
   EXPECT_TRUE(surrogate::read_model(dir / "out" / "model.json").rock.starts_with("small"));
 }
 
+TEST_F(LearnProgram, PressuresOfAStudyAreLearntFromToo) {
+  std::string study = base::read_whole(dir / "study.toml");
+  study.insert(study.find("[by_depth]"), "fluid_pressures_MPa = [0, 10]\n");
+  base::write_whole(dir / "study.toml", study);
+  const auto outcome = learn("--hours 0.001");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const surrogate::Model model = surrogate::read_model(dir / "out" / "model.json");
+  ASSERT_EQ(model.inputs.size(), 4U) << outcome.text;
+  EXPECT_EQ(model.inputs[3].name, "fluid_pressure_MPa");
+  EXPECT_GE(model.inputs[3].low, 0.0);
+  EXPECT_LE(model.inputs[3].high, 10.0);
+}
+
 TEST_F(LearnProgram, WrongValuesAreRefused) {
   for (const char* flag : {"--hours 0", "--hours nan", "--error-percent 0", "--batch 1"}) {
     const auto outcome = learn(flag);

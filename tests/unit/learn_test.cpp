@@ -65,10 +65,24 @@ TEST_F(Learn, ARangeOfOneConditionIsRefused) {
   EXPECT_NE(fx::message([&] { design.next(8, 1); }, "").find("only 1 different conditions"), std::string::npos);
 }
 
-TEST_F(Learn, CasesWithPressuresOfTheirOwnAreRefused) {
+TEST_F(Learn, PressuresLieEvenlyInTheirRootAndOnePressureStaysOne) {
   studies::Study one = study();
-  one.grid.mud_pressures = {0.0, 20e6};
-  EXPECT_NE(fx::message([&] { studies::range_of(one); }, "").find("fluid.pressure_MPa"), std::string::npos);
+  one.grid.mud_pressures = {0.0, 10e6, 40e6};
+  studies::LearnDesign design(one, studies::range_of(one), 1);
+  const std::vector<double> pressures = design.next(200, 1).table.mud_pressure;
+  ASSERT_EQ(pressures.size(), 200U);
+  // 4 % on either face, and the others evenly in the root: half of them below a quarter of the highest
+  EXPECT_NEAR(static_cast<double>(std::ranges::count(pressures, 0.0)), 8.0, 4.0);
+  EXPECT_NEAR(static_cast<double>(std::ranges::count(pressures, 40e6)), 8.0, 4.0);
+  EXPECT_NEAR(static_cast<double>(std::ranges::count_if(pressures, [](double p) { return p < 10e6; })), 100.0, 6.0);
+  EXPECT_TRUE(std::ranges::all_of(pressures, [](double p) { return p >= 0.0 && p <= 40e6; }));
+
+  one.grid.mud_pressures = {20e6};
+  studies::LearnDesign same(one, studies::range_of(one), 1), none(study(), studies::range_of(study()), 1);
+  const studies::Study held = same.next(30, 1), dry = none.next(30, 1);
+  EXPECT_EQ(held.table.mud_pressure, std::vector<double>(30, 20e6));
+  EXPECT_TRUE(dry.table.mud_pressure.empty());
+  EXPECT_EQ(held.table.cutter_speed, dry.table.cutter_speed) << "a pressure that does not vary takes no coordinate";
 }
 
 TEST_F(Learn, DearCutsAreFewerByTheRootOfTheirTime) {
