@@ -93,7 +93,8 @@ void require_outputs(const CommonOptions& options, const std::vector<std::filesy
 void refuse_named_twice(const std::vector<std::string>& inputs) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (std::filesystem::equivalent(inputs[i], inputs[j]))
+      std::error_code missing;  // said where the file is read
+      if (std::filesystem::equivalent(inputs[i], inputs[j], missing))
         throw base::InputError(fmt::format("{} and {} are one file (name each once)", inputs[j], inputs[i]));
     }
   }

@@ -5,6 +5,8 @@
 /// Source: our own definition of the saw-tooth of brittle cutting [Energies2020] (slow rise while the crack grows,
 /// sharp drop when the chip is off); the thresholds were chosen by looking at pictures of cuts above their force
 /// histories.
+/// Validity: rock without mud. Under mud debris stays before the cutter and the force hardly ever collapses
+/// (docs/results/mud.md, which says what tells there how long a cut must be).
 
 #include <algorithm>
 #include <span>

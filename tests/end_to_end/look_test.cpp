@@ -84,6 +84,19 @@ TEST_F(Look, AnimationAsPictures) {
   for (const char* name : {"frame_0000.png", "frame_0001.png", "frame_0002.png"})
     EXPECT_TRUE(fs::exists(frames / name));
   EXPECT_FALSE(fs::exists(frames / "frame_0003.png"));
+  const fs::path both = dir / "both", copy = dir / "copy.h5";
+  fs::copy_file(with_frames(), copy);
+  expect("animate " + with_frames() + " " + copy.string() + " -o " + both.string() + " --width-px 400", 0, "3 frames");
+  // a PNG tells its width and height in the eight bytes from the 16th on
+  const std::string one = base::read_whole(frames / "frame_0002.png"), two = base::read_whole(both / "frame_0002.png");
+  EXPECT_EQ(one.substr(16, 4), two.substr(16, 4));
+  const auto height = [](const std::string& png) {
+    return 256 * static_cast<unsigned char>(png[22]) + static_cast<unsigned char>(png[23]);
+  };
+  EXPECT_EQ(height(two), 2 * height(one));
+  expect("animate " + with_frames() + " " + with_frames() + " -o " + both.string(), 2, "name each once");
+  expect("animate " + with_frames() + " " + without_frames() + " -o " + both.string(), 2, "shows one instant only");
+  expect("animate " + (dir / "no.h5").string() + " " + (dir / "none.h5").string(), 2, "no.h5");
   base::write_whole(frames / "frame_0005.png", "of another animation");
   expect("animate " + with_frames() + " -o " + frames.string(), 2, "give an empty folder");
 }

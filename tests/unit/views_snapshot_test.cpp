@@ -4,12 +4,14 @@
 #include <cairo.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
 
 #include "tests/unit/output_fixtures.hpp"
 #include "views/cut/picture.hpp"
+#include "views/cut/png.hpp"
 
 using namespace bitrock;
 
@@ -138,6 +140,34 @@ TEST(Ticks, OneTwoFive) {
     EXPECT_GE(span / views::tick_of(span), 5.0 - 1e-9);
     EXPECT_LE(span / views::tick_of(span), 12.5 + 1e-9);
   }
+}
+
+TEST(Snapshot, CutsThatAreComparedHaveOneScaleOfForce) {
+  std::vector<dem2d::RunFile> runs{output_fixtures::run(), output_fixtures::run()};
+  for (double& force : runs[1].run.force_x) force *= 3.0;
+  for (double& force : runs[1].run.force_y) force = -std::abs(force) - 1.0;
+  const auto most = [](const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); };
+  const views::ForceScale scale = views::force_scale(runs);
+  EXPECT_EQ(scale.high_x, most(runs[1].run.force_x));
+  EXPECT_EQ(scale.high_y, std::max(0.0, most(runs[0].run.force_y)));
+  EXPECT_LT(scale.low_y, -1.0);
+  EXPECT_EQ(views::force_scale({}).high_x, 0.0);
+}
+
+TEST(Snapshot, PicturesStandOneBelowTheOtherOnWhite) {
+  const auto page = [](int pixels, const views::Colour& colour) {
+    const views::Picture picture = views::Picture::of_curves({0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0}, pixels, 40);
+    picture.use(colour);
+    cairo_paint(picture.cairo());
+    return picture.png();
+  };
+  const std::string pages[] = {page(900, views::blue_line), page(1000, views::orange_line)};
+  const Pixels both(views::stacked(pages));
+  EXPECT_EQ(both.width(), 1000);
+  EXPECT_EQ(both.height(), 80);
+  expect_colour(both.at(450, 20), views::blue_line, "the first");
+  expect_colour(both.at(950, 20), {1.0, 1.0, 1.0}, "beside it");
+  expect_colour(both.at(950, 60), views::orange_line, "the second");
 }
 
 }  // namespace

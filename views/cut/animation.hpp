@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/hdf5_file.hpp"
 #include "base/progress.hpp"
@@ -18,8 +20,16 @@ std::optional<AnimationKind> animation_kind(const std::filesystem::path& output)
 /// their frames so, too: nothing is removed. Throws `InputError` where there are such.
 void prepare_frame_folder(const std::filesystem::path& folder, int frames);
 
-/// `stored` is the file of `run`. All pictures, or none.
-void draw_frames(const base::Hdf5Reader& stored, const dem2d::RunFile& run, int width_px,
-                 const std::filesystem::path& folder, const base::ProgressCallback& progress);
+/// Cuts to be shown together, on one scale of force. Throws `InputError` for a run of one instant, and for runs with
+/// different numbers of frames.
+struct AnimatedCuts {
+  std::vector<base::Hdf5Reader> files;  ///< opened
+  std::vector<dem2d::RunFile> runs;     ///< what was read from each
+};
+AnimatedCuts animated_cuts(const std::vector<std::string>& files);
+
+/// A picture for each frame, of several cuts one below the other. All pictures, or none.
+void draw_frames(const AnimatedCuts& cuts, int width_px, const std::filesystem::path& folder,
+                 const base::ProgressCallback& progress);
 
 }  // namespace bitrock::views

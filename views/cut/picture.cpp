@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 
-#include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/thin.hpp"
 
@@ -112,21 +111,8 @@ void Picture::end_clip() const {
   cairo_restore(cairo());
 }
 
-namespace {
-
-cairo_status_t append(void* sink, const unsigned char* data, unsigned int length) {
-  static_cast<std::string*>(sink)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
-
-}  // namespace
-
 std::string Picture::png() const {
-  std::string png;
-  const cairo_status_t status = cairo_surface_write_to_png_stream(surface_.get(), append, &png);
-  if (status != CAIRO_STATUS_SUCCESS)
-    throw base::SimulationError(fmt::format("the picture could not be drawn: {}", cairo_status_to_string(status)));
-  return png;
+  return png_of(surface_.get());
 }
 
 namespace {

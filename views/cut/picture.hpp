@@ -10,10 +10,10 @@
 
 #include "dem2d/step/world.hpp"
 #include "views/cut/crack_faces.hpp"
+#include "views/cut/png.hpp"
 
-// The names of cairo.h, which stays private to the sources.
-struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier)
-struct _cairo;          // NOLINT(bugprone-reserved-identifier)
+// A name of cairo.h, which stays private to the sources.
+struct _cairo;  // NOLINT(bugprone-reserved-identifier)
 
 namespace bitrock::views {
 

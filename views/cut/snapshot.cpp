@@ -37,6 +37,7 @@ struct ForceCurve {
   const char* label;
   Colour colour, pale;
   const std::vector<double>* force;  ///< [N/m]
+  double low, high;                  ///< [N/m] of the panel
 };
 
 /// Part of `values` from `begin`, of `count` values.
@@ -68,7 +69,7 @@ void draw_force(const Picture& panel, const ForceCurve& curve, const std::vector
   });
 }
 
-void draw_forces(const Picture& rock, const dem2d::RunFile& file, const dem2d::Frame& frame) {
+void draw_forces(const Picture& rock, const dem2d::RunFile& file, const dem2d::Frame& frame, const ForceScale& scale) {
   // the cutter moves at constant speed: its place at each sample follows from the place in the frame. Half a
   // millionth of the travel keeps the sample that ends with the frame on this side of it.
   const double speed = file.cut.cutter_speed, tolerance = 5e-7 * file.run.cut_length;
@@ -76,12 +77,12 @@ void draw_forces(const Picture& rock, const dem2d::RunFile& file, const dem2d::F
   tip_x.reserve(file.run.time.size());
   for (const double time : file.run.time) tip_x.push_back(frame.tip_x + speed * (time - frame.time) - tolerance);
 
-  const ForceCurve curves[] = {{"Fx [kN/m]", blue_line, {0.75, 0.86, 0.93}, &file.run.force_x},
-                               {"Fy [kN/m]", orange_line, {0.96, 0.85, 0.76}, &file.run.force_y}};
+  const ForceCurve curves[] = {
+      {"Fx [kN/m]", blue_line, {0.75, 0.86, 0.93}, &file.run.force_x, scale.low_x, scale.high_x},
+      {"Fy [kN/m]", orange_line, {0.96, 0.85, 0.76}, &file.run.force_y, scale.low_y, scale.high_y}};
   double top = rock.py(rock.frame().y_low) + gap_px;
   for (const ForceCurve& curve : curves) {
-    const auto [lowest, highest] = std::minmax_element(curve.force->begin(), curve.force->end());
-    const double low = std::min(0.0, *lowest), high = *highest > low ? std::max(0.0, *highest) : low + 1.0;
+    const double low = curve.low, high = curve.high > low ? curve.high : low + 1.0;
     Picture::Frame region = rock.frame();
     region.y_low = low - 0.03 * (high - low);
     region.y_high = high + 0.06 * (high - low);
@@ -110,9 +111,12 @@ void annotate(const Picture& picture, const dem2d::RunFile& run, const dem2d::Fr
                                  {shear_line, true, fmt::format("shear cracks ({})", shear)}};
   draw_legend(picture, entries);
   const double travelled = cut.cutter_speed * frame.time;
-  const std::string title = fmt::format("{}: {:g} m/s, {:g} mm deep, {:g}\u00b0 back rake, after {:.1f} mm of cut",
+  const std::string mud = cut.mud_pressure > 0.0
+                              ? fmt::format(", {:g} MPa of mud", base::in_units(cut.mud_pressure, base::MPa))
+                              : std::string();
+  const std::string title = fmt::format("{}: {:g} m/s, {:g} mm deep, {:g}\u00b0 back rake{}, after {:.1f} mm of cut",
                                         cut.rock.name, cut.cutter_speed, base::in_units(cut.depth_of_cut, base::mm),
-                                        base::in_units(cut.back_rake, base::deg), travelled * 1e3);
+                                        base::in_units(cut.back_rake, base::deg), mud, travelled * 1e3);
   picture.use(ink);
   picture.font_size(20.0);
   const double room = picture.width_px() - left_px - right_px;
@@ -120,9 +124,29 @@ void annotate(const Picture& picture, const dem2d::RunFile& run, const dem2d::Fr
   picture.text(left_px, 32.0, title);
 }
 
+void widen(const std::vector<double>& force, double& low, double& high) {
+  for (const double value : force) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+}
+
 }  // namespace
 
+ForceScale force_scale(std::span<const dem2d::RunFile> runs) {
+  ForceScale scale;
+  for (const dem2d::RunFile& run : runs) {
+    widen(run.run.force_x, scale.low_x, scale.high_x);
+    widen(run.run.force_y, scale.low_y, scale.high_y);
+  }
+  return scale;
+}
+
 std::string draw_snapshot(const dem2d::RunFile& run, const dem2d::Frame& frame, int width_px) {
+  return draw_snapshot(run, frame, width_px, force_scale(std::span(&run, 1)));
+}
+
+std::string draw_snapshot(const dem2d::RunFile& run, const dem2d::Frame& frame, int width_px, const ForceScale& scale) {
   const dem2d::CutCase& cut = run.cut;
   const Picture picture = rock_panel(cut, width_px);
   const std::vector<dem2d::Crack> cracks = cracks_until(run.run.cracks, frame.time);
@@ -137,7 +161,7 @@ std::string draw_snapshot(const dem2d::RunFile& run, const dem2d::Frame& frame, 
   picture.font_size(17.0);
   draw_axes(picture, {1e3, tick_of(1e3 * (picture.frame().x_high - picture.frame().x_low)), ""},
             {1e3, tick_of(1e3 * picture.frame().y_high, 3), "height [mm]"});
-  draw_forces(picture, run, frame);
+  draw_forces(picture, run, frame, scale);
   annotate(picture, run, frame, cracks);
   return picture.png();
 }
