@@ -69,7 +69,7 @@ base::Section describe(Table& table) {
           {{"cutter_speed_m_per_s", &table.cutter_speed, 1.0, cutter_speed_m_per_s, "of each case"},
            {"depth_of_cut_mm", &table.depth_of_cut, mm, depth_of_cut_mm, "of each case"},
            {"back_rake_deg", &table.back_rake, deg, back_rake_deg, "of each case"},
-           {"fluid_pressures_MPa", &table.mud_pressure, MPa, fluid_pressure_MPa, "of each case, of the mud"}}};
+           {"fluid_pressure_MPa", &table.mud_pressure, MPa, fluid_pressure_MPa, "of each case, of the mud"}}};
 }
 
 base::Section describe_table_file(Study& study) {
@@ -168,7 +168,7 @@ void read_inner_table(base::ConfigFile& file, Table& table) {
   if (table.depth_of_cut.size() != cases) file.refuse("table", "depth_of_cut_mm", "needs one entry a case");
   if (table.back_rake.size() != cases) file.refuse("table", "back_rake_deg", "needs one entry a case");
   if (!table.mud_pressure.empty() && table.mud_pressure.size() != cases)
-    file.refuse("table", "fluid_pressures_MPa", "needs one entry a case");
+    file.refuse("table", "fluid_pressure_MPa", "needs one entry a case");
   std::set<Conditions> different;
   for (std::size_t i = 0; i < cases; ++i) different.insert(conditions(table, i));
   if (different.size() < cases) file.refuse("table", "cutter_speed_m_per_s", "each case may appear once");
