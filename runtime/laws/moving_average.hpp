@@ -80,13 +80,12 @@ inline double mean(const MovingAverage& average) {
   if (begin <= average.time[oldest]) {
     return (average.integral[last] - average.integral[oldest]) / (average.time[last] - average.time[oldest]);
   }
-  // begin lies in the piece from k - 1 to k; found by halving
-  int low = 0, high = average.count - 1;
-  while (high - low > 1) {
-    const int middle = (low + high) / 2;
-    (average.time[place(middle)] <= begin ? low : high) = middle;
-  }
-  const std::size_t a = place(low), b = place(high);
+  // begin lies in the piece from `low` on; most pieces are equally long, so the first guess is mostly right
+  const double share = (begin - average.time[oldest]) / (average.time[last] - average.time[oldest]);
+  int low = std::min(static_cast<int>(share * (average.count - 1)), average.count - 2);
+  while (low > 0 && average.time[place(low)] > begin) --low;
+  while (low < average.count - 2 && average.time[place(low + 1)] <= begin) ++low;
+  const std::size_t a = place(low), b = place(low + 1);
   const double length = average.time[b] - average.time[a], s = begin - average.time[a];
   const double bend = (average.value[b] - average.value[a]) / (2.0 * length);
   const double before =

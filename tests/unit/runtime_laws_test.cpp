@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/random.hpp"
 #include "runtime/laws/bit_inertia.hpp"
 #include "runtime/laws/fracture_spring.hpp"
 #include "runtime/laws/friction.hpp"
@@ -341,6 +342,24 @@ TEST(MovingAverage, WeighsByTimeAndNotByCount) {
   for (int i = 0; i < 20; ++i) accept(average, 0.081 + 0.001 * i, 3.0);
   // 0 to 0.08: 1; 0.08 to 0.081: from 1 to 3; to 0.1: 3
   EXPECT_NEAR(mean(average), (0.08 * 1.0 + 0.001 * 2.0 + 0.019 * 3.0) / 0.1, 1e-12);
+}
+
+// However uneven the steps, the window of a ramp begins in the right piece: its mean is the value half a window ago.
+TEST(MovingAverage, FindsTheBeginningOfTheWindowAmongUnevenSteps) {
+  std::uint64_t draw = 1;
+  for (const double longest : {5e-4, 5e-3, 0.04, 0.09}) {
+    runtime::MovingAverage average;
+    double time = 0.0;
+    for (int i = 0; i < 2000; ++i) {
+      draw = base::mix(draw);
+      const double share = static_cast<double>(draw >> 11) * 0x1p-53;
+      time += longest * share * share * share + 1e-6;  // most steps are short, some long
+      accept(average, time, 3.0 * time);
+      if (time > 0.2) {
+        ASSERT_NEAR(mean(average), 3.0 * (time - 0.05), 1e-10) << longest << " " << i;
+      }
+    }
+  }
 }
 
 TEST(MovingAverage, RefusesTimeThatStandsOrGoesBackAndWhatIsNoNumber) {
