@@ -28,5 +28,6 @@ expect_refusal runtime/core/bad.cpp '#include "runtime/fmu/fmu.hpp"'
 expect_refusal runtime/core/bad.cpp '#include "runtime/bit/bit.hpp"'
 expect_refusal dem2d/step/bad.cpp '#include "dem2d/specimen/rock.hpp"'
 expect_refusal studies/bad.cpp '#include "views/cut/picture.hpp"'
+expect_refusal views/bad.cpp '#include <ranges>'
 expect_refusal runtime/somewhere.cpp '#include "base/files.hpp"'
 "$rule" "$house"

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
+#include <algorithm>
+#include <span>
 
 #include "base/progress.hpp"
 #include "base/units.hpp"
@@ -20,7 +21,7 @@ std::string plan_lines(const studies::Plan& plan, double ns_per_disc_step) {
   std::string text = fmt::format("{} cases, {} cuts: {} done, {} failed, {} remaining; {} rocks, {} to be made\n",
                                  plan.cases, plan.jobs, plan.done, plan.failed, plan.jobs - plan.done - plan.failed,
                                  plan.rocks, plan.rocks_to_make);
-  for (const studies::PlanPart& part : plan.parts | std::views::take(most_lines)) {
+  for (const studies::PlanPart& part : std::span(plan.parts).first(std::min(most_lines, plan.parts.size()))) {
     text += fmt::format(
         "depth {:g} mm: {} cuts of {:g} mm in {:g} x {:g} mm, {:.0f} discs; {:.3g} steps, {:.3g} core-hours\n",
         base::in_units(part.depth_of_cut, base::mm), part.jobs, base::in_units(part.cut_length, base::mm),
