@@ -11,6 +11,7 @@
 #include "views/bit/chapter.hpp"
 #include "views/cut/chapter.hpp"
 #include "views/drill/chapter.hpp"
+#include "views/learn/chapter.hpp"
 #include "views/networks/chapter.hpp"
 #include "views/rebuild/chapter.hpp"
 
@@ -50,6 +51,7 @@ void add_networks(report::Page& page, const CampaignFiles& files, const surrogat
   std::optional<surrogate::TrainingData> data;
   if (base::is_there(files.data)) data = surrogate::read_training_data(files.data);
   if (base::is_there(files.earlier_model)) add_earlier_networks(page, files.earlier_model, data);
+  if (data && base::is_there(files.learn)) add_learnt(page, *data, studies::read_notebook(files.learn.parent_path()));
   if (model == nullptr) return;
   const std::string further = surrogate::further_names(*model);
   page.section(
@@ -101,7 +103,8 @@ CampaignFiles campaign_files(const std::filesystem::path& folder) {
           .earlier_model = folder / "earlier_model.json",
           .bit_force = folder / "bit_force.csv",
           .bit_force_json = folder / "bit_force.json",
-          .drill = folder / "drill"};
+          .drill = folder / "drill",
+          .learn = folder / studies::notebook_name};
 }
 
 report::Page campaign_page(const std::filesystem::path& folder, int jobs, const base::ProgressCallback& progress) {

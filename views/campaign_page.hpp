@@ -17,6 +17,7 @@ struct CampaignFiles {
   std::filesystem::path earlier_model;  ///< networks that have seen none of these cuts
   std::filesystem::path bit_force, bit_force_json;
   std::filesystem::path drill;  ///< folder of drill runs, of which the first `most_shown_runs` are shown
+  std::filesystem::path learn;  ///< notebook of `learn`, where that made the cuts
 };
 CampaignFiles campaign_files(const std::filesystem::path& folder);
 

@@ -90,7 +90,7 @@ Study LearnDesign::next(int cuts, int batch) {
     const double speed = between(range_.low_speed, range_.high_speed, base::with_ends(at[0]), 1.0);
     const double depth = depth_at(range_, base::with_ends(at[1]));
     const double rake = between(range_.low_rake, range_.high_rake, base::with_ends(at[2]), base::deg);
-        const double pressure = pressures ? pressure_at(range_, base::with_ends(at[4])) : range_.low_pressure;
+    const double pressure = pressures ? pressure_at(range_, base::with_ends(at[4])) : range_.low_pressure;
     const std::tuple one(speed, depth, rake, pressure);
     if (at[3] > std::sqrt(least_time_ / time_of(speed, depth)) || std::ranges::find(taken, one) != taken.end()) {
       if (++refused < most_refused) continue;

@@ -109,7 +109,7 @@ Knowledge knowledge_of(const surrogate::TrainingData& data) {
       for (const surrogate::TrainingRow& row : rows) peaks_in_a_cut += row.outputs[o] * row.cut_length / n;
       size = peaks_in_a_cut;
     }
-    const double scatter = formula.unseen_errors[o] / (n + p);  // s^2
+    const double scatter = surrogate::scatter_left(formula, o, rows.size());  // s^2
     knowledge.errors.push_back(size > 0.0 ? std::sqrt(scatter * p / n / size) : 0.0);
     knowledge.scatter.push_back(size > 0.0 ? std::sqrt(scatter / size) : 0.0);
   }

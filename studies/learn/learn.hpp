@@ -31,12 +31,11 @@ struct LearnRequest {
 /// How well each output is known: the standard error that a smooth formula through the cuts has, over the mean of the
 /// output over the cuts.
 ///
-/// **Equation** e = sqrt(u p / (n + p)) / m, u = sum of the squared errors unseen (`SmoothFormula`) over n.
+/// **Equation** e = s sqrt(p / n) / m, s^2 that of `surrogate::scatter_left`.
 /// **Symbols** n cuts, p terms; m = 1 for amplitudes, whose errors are shares already; for peaks, root of the mean
 /// number in a cut.
-/// **Source** of n observations with independent errors of variance s^2, p coefficients leave s^2 p / n on the average,
-/// and cases left out show s^2 (1 + p / n); derived here.
-/// **Validity** the force has the shape of the formula: what its terms cannot follow is in u, but only partly in e.
+/// **Source** of n observations with independent errors of variance s^2, p coefficients leave s^2 p / n on the average.
+/// **Validity** the force has the shape of the formula: what its terms cannot follow is in s, but only partly in e.
 struct Knowledge {
   int cuts = 0, terms = 0;      ///< n and p
   std::vector<double> errors;   ///< one an output [1]

@@ -13,7 +13,7 @@ namespace bitrock::studies {
 namespace {
 
 std::filesystem::path file_in(const std::filesystem::path& folder) {
-  return folder / "learn.json";
+  return folder / notebook_name;
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ struct LearnNotebook {
   double elapsed = 0.0;      ///< on the clock [s]
 };
 
+inline constexpr const char* notebook_name = "learn.json";  ///< of its file
+
 /// An empty one where the folder has none. Throws `base::InputError` for a file that is damaged.
 LearnNotebook read_notebook(const std::filesystem::path& folder);
 

@@ -12,6 +12,7 @@
 #include "surrogate/net/further_inputs.hpp"
 #include "surrogate/train/scaling.hpp"
 #include "surrogate/train/scatter.hpp"
+#include "surrogate/train/smooth_formula.hpp"
 #include "surrogate/train/split.hpp"
 
 namespace bitrock::surrogate {
@@ -157,18 +158,20 @@ double compared_degrees(std::span<const ParityPoint> points) {
   return effective_degrees(variances, std::vector<double>(variances.size(), 1.0));
 }
 
-/// nu_2 of `noise_floor.hpp`.
-double law_degrees(std::span<const ParityPoint> points) {
+/// nu_2 of `noise_floor.hpp`; the degrees that a formula leaves belong to all cases alike.
+double law_degrees(std::span<const ParityPoint> points, const ScatterLaw& law) {
   std::vector<double> variances, degrees;
   for (const ParityPoint& point : points) {
-    if (!point.standard_error_known) continue;
+    if (!point.standard_error_known && !law.around_formula) continue;
     variances.push_back(point.cuts * point.noise * point.noise);
-    degrees.push_back(point.cuts - 1);
+    degrees.push_back(law.around_formula ? law.degrees_of_freedom / static_cast<double>(points.size())
+                                         : point.cuts - 1);
   }
   return effective_degrees(variances, degrees);
 }
 
-NoiseVerdict judged(const OutputParity& output, std::span<const ParityPoint> compared, const ParitySummary& summary) {
+NoiseVerdict judged(const OutputParity& output, std::span<const ParityPoint> compared, const ParitySummary& summary,
+                    const ScatterLaw& law) {
   if (!summary.noise || !output.all.noise) return {};
   const int cases = output.all.cases;
   std::vector<double> residuals;
@@ -178,14 +181,14 @@ NoiseVerdict judged(const OutputParity& output, std::span<const ParityPoint> com
   return judge({.rmse = *summary.rmse,
                 .noise = *summary.noise,
                 .compared_degrees = compared_degrees(compared),
-                .law_degrees = law_degrees(output.points),
+                .law_degrees = law_degrees(output.points, law),
                 .all_cases = cases,
                 .variance_of_means = cases > 1 ? squares_around_mean(output.points) / (cases - 1) : 0.0,
                 .noise_of_all_squared = *output.all.noise * *output.all.noise,
                 .residuals = residuals});
 }
 
-void compare(OutputParity& output) {
+void compare(OutputParity& output, const ScatterLaw& law) {
   const auto by_mean = [](const ParityPoint& a, const ParityPoint& b) { return a.dem_mean < b.dem_mean; };
   const auto [low, high] = std::minmax_element(output.points.begin(), output.points.end(), by_mean);
   const double range = high->dem_mean - low->dem_mean;
@@ -195,14 +198,21 @@ void compare(OutputParity& output) {
   output.train = summary_of(points_where(output.points, is(CaseRole::train)), range);
   output.validation = summary_of(points_where(output.points, is(CaseRole::validation)), range);
   output.held_out = summary_of(held_out, range);
-  output.judged =
-      held_out.empty() ? judged(output, output.points, output.all) : judged(output, held_out, output.held_out);
+  output.judged = held_out.empty() ? judged(output, output.points, output.all, law)
+                                   : judged(output, held_out, output.held_out, law);
   std::vector<JudgedCase> cases;
   cases.reserve(held_out.size());
   for (const ParityPoint& point : held_out)
     cases.push_back(
         {.prediction = point.prediction, .dem_mean = point.dem_mean, .standard_error = point.noise_half_way});
-  output.error = network_error(cases, law_degrees(output.points));
+  output.error = network_error(cases, law_degrees(output.points, law));
+}
+
+/// From cases that were cut more than once; where there are none, around a formula.
+ScatterLaw known_scatter(std::span<const TrainingRow> means, std::span<const LearntFurther> further) {
+  const ScatterLaw repeated = scatter_law(means);
+  if (repeated.degrees_of_freedom > 0 || means.size() < least_scatter_degrees) return repeated;
+  return scatter_around(fit_formula(means, further), means);
 }
 
 /// Networks that do not ask for the pressure know one alone.
@@ -237,9 +247,10 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
   const std::int64_t first_case = part == nullptr ? 0 : part->first_case;
   result.same_data = part != nullptr || data.fingerprint == model.provenance.data_fingerprint;
   const TrainingData means = averaged(data);
-  const ScatterLaw law = scatter_law(means.rows);
+  const ScatterLaw law = known_scatter(means.rows, learnt_further(data));
   result.outputs.resize(std::min(model.outputs.size(), output_count(data)));
   result.law_degrees = law.degrees_of_freedom;
+  result.scatter_around_formula = law.around_formula;
   for (const TrainingRow& mean : means.rows) {
     const CaseRole role = role_of(model, mean.case_number + first_case, numbers);
     const std::vector<double> values = further_values(mean, further);
@@ -261,7 +272,7 @@ Parity parity(const Model& model, const TrainingData& data, CaseNumbers numbers)
   for (std::size_t i = 0; i < result.outputs.size(); ++i) {
     result.outputs[i].name = output_names[i].name;
     result.outputs[i].unit = output_names[i].unit;
-    compare(result.outputs[i]);
+    compare(result.outputs[i], law);
   }
   return result;
 }
@@ -280,6 +291,9 @@ std::vector<std::string> warnings(const Parity& parity, const TrainingData& data
   }
   if (parity.law_degrees == 0)
     all.emplace_back("no case was cut more than once: nothing is known of the scatter of the data");
+  if (parity.scatter_around_formula)
+    all.emplace_back(
+        "no case was cut more than once: the scatter of the data is taken from single cuts around a smooth formula");
   return all;
 }
 

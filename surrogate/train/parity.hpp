@@ -85,11 +85,12 @@ struct OutputParity {
 struct Parity {
   /// The data are, byte for byte, those of the training, or one of its tables; otherwise roles rest on case numbers.
   bool same_data = false;
-  bool has_held_out = false;          ///< verdicts rest on held-out cases
-  int law_degrees = 0;                ///< cuts beyond the first of every case: what the law of scatter was found from
-  int outside_training_range = 0;     ///< held-out cases where the networks extrapolate
-  std::vector<Variable> inputs;       ///< of the model: speed, depth, rake, further ones
-  std::vector<OutputParity> outputs;  ///< what both model and data have: ten or seventeen
+  bool has_held_out = false;            ///< verdicts rest on held-out cases
+  int law_degrees = 0;                  ///< degrees of freedom of the law of scatter
+  bool scatter_around_formula = false;  ///< no case was cut twice: the law is that of single cuts around a formula
+  int outside_training_range = 0;       ///< held-out cases where the networks extrapolate
+  std::vector<Variable> inputs;         ///< of the model: speed, depth, rake, further ones
+  std::vector<OutputParity> outputs;    ///< what both model and data have: ten or seventeen
 };
 
 /// How the cases of the data are told from those of the training.

@@ -4,14 +4,9 @@
 
 namespace bitrock::surrogate {
 
-namespace {
-
-/// var(y) / phi.
-double shape(std::size_t output, double value, double cut_length) {
+double scatter_shape(std::size_t output, double value, double cut_length) {
   return is_count(output) ? value / cut_length : value * value;
 }
-
-}  // namespace
 
 ScatterLaw scatter_law(std::span<const TrainingRow> means) {
   ScatterLaw law;
@@ -25,7 +20,7 @@ ScatterLaw scatter_law(std::span<const TrainingRow> means) {
       if (!row.standard_errors) continue;
       const double error = (*row.standard_errors)[i];
       seen += (row.cuts - 1) * row.cuts * error * error;
-      of_shape += (row.cuts - 1) * shape(i, row.outputs[i], row.cut_length);
+      of_shape += (row.cuts - 1) * scatter_shape(i, row.outputs[i], row.cut_length);
     }
     law.phi[i] = of_shape > 0.0 ? seen / of_shape : 0.0;
   }
@@ -33,7 +28,7 @@ ScatterLaw scatter_law(std::span<const TrainingRow> means) {
 }
 
 double standard_error(const ScatterLaw& law, std::size_t output, double value, double cut_length, int cuts) {
-  return std::sqrt(law.phi[output] * shape(output, value, cut_length) / cuts);
+  return std::sqrt(law.phi[output] * scatter_shape(output, value, cut_length) / cuts);
 }
 
 }  // namespace bitrock::surrogate

@@ -233,6 +233,26 @@ SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const Lea
   return best;
 }
 
+double scatter_left(const SmoothFormula& formula, std::size_t output, std::size_t cases) {
+  const auto n = static_cast<double>(cases), p = static_cast<double>(formula.terms());
+  return formula.unseen_errors[output] * (n - p) / (n * n);
+}
+
+ScatterLaw scatter_around(const SmoothFormula& formula, std::span<const TrainingRow> rows) {
+  ScatterLaw law{.degrees_of_freedom = static_cast<int>(rows.size()) - static_cast<int>(formula.terms()),
+                 .around_formula = true};
+  if (law.degrees_of_freedom < least_scatter_degrees) return {};
+  law.phi.count = formula.unseen_errors.size();
+  for (std::size_t output = 0; output < law.phi.size(); ++output) {
+    law.phi[output] = scatter_left(formula, output, rows.size());
+    if (!is_correlation(output)) continue;
+    double squares = 0.0;
+    for (const TrainingRow& row : rows) squares += row.outputs[output] * row.outputs[output];
+    if (squares > 0.0) law.phi[output] *= static_cast<double>(rows.size()) / squares;
+  }
+  return law;
+}
+
 Outputs predict(const SmoothFormula& formula, const TrainingRow& conditions) {
   Outputs outputs{.count = formula.coefficients.size()};
   const Eigen::VectorXd terms = terms_of(formula, conditions);

@@ -27,6 +27,7 @@
 
 #include "surrogate/train/data.hpp"
 #include "surrogate/train/scaling.hpp"
+#include "surrogate/train/scatter.hpp"
 
 namespace bitrock::surrogate {
 
@@ -65,6 +66,23 @@ SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const Lea
 
 /// The same of this degree, less where the cases are few.
 SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const LearntFurther> further, int degree);
+
+/// Of single cuts around a formula that was fitted to so many cases: variance over y^2 of amplitudes, over y / L of
+/// peaks per metre, by itself of a correlation. As phi of `scatter_around`.
+double scatter_left(const SmoothFormula& formula, std::size_t output, std::size_t cases);
+
+/// **What** The law of scatter where no case was cut twice: from what a formula leaves of single cuts.
+/// **Equation** phi = u / (n + p), u `unseen_errors`; of a correlation over the mean square of its values. n - p
+/// degrees of freedom.
+/// **Symbols** n cases, p terms.
+/// **Source** a case of leverage h, left out, shows the variance s^2 / (1 - h) [McCullaghNelder1989]; leverages sum to
+/// p, and equal ones give s^2 n / (n - p).
+/// **Validity** What the formula cannot follow counts as scatter: it comes out too large then, never too small. Nothing
+/// known (0 degrees) below `least_scatter_degrees`.
+ScatterLaw scatter_around(const SmoothFormula& formula, std::span<const TrainingRow> rows);
+
+/// With fewer the scatter is known worse than to a quarter.
+inline constexpr int least_scatter_degrees = 8;
 
 /// In the units of `output_names`; never negative, a correlation at most 1.
 Outputs predict(const SmoothFormula& formula, const TrainingRow& conditions);

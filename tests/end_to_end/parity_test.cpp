@@ -75,15 +75,19 @@ TEST(Parity, SaysWhatIsNoiseAndWhatIsNot) {
   EXPECT_EQ(program::json(with.result)["outputs"]["x_amax_N_per_m"]["held_out"]["cases"], 20);
 }
 
-TEST(Parity, OneSeedSaysNothingOfScatter) {
+TEST(Parity, OfOneSeedTheScatterIsThatAroundAFormula) {
   const Trained with(1);
   const auto compared = run("parity " + with.model + " " + with.data + " --json " + with.result);
   ASSERT_EQ(compared.status, 0) << compared.text;
-  EXPECT_NE(compared.text.find("no case was cut more than once"), std::string::npos) << compared.text;
+  EXPECT_NE(compared.text.find("taken from single cuts around a smooth formula"), std::string::npos) << compared.text;
   EXPECT_EQ(compared.text.find("nan"), std::string::npos) << compared.text;
-  const auto json = program::json(with.result)["outputs"]["x_amax_N_per_m"];
-  EXPECT_EQ(json["verdict"], "no scatter known");
-  EXPECT_TRUE(json["dem_standard_error"].is_null() && json["noise_alone"].is_null());
+  const auto whole = program::json(with.result);
+  EXPECT_TRUE(whole["scatter_around_formula"].get<bool>());
+  EXPECT_GE(whole["scatter_degrees_of_freedom"].get<int>(), 8);
+  const auto json = whole["outputs"]["x_amax_N_per_m"];
+  EXPECT_NE(json["verdict"], "no scatter known");
+  EXPECT_TRUE(json["dem_standard_error"].is_null());
+  EXPECT_FALSE(json["noise_alone"].is_null());
   EXPECT_FALSE(json["rmse"].is_null());
 }
 

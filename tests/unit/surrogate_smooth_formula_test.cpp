@@ -181,6 +181,33 @@ TEST(SmoothFormula, FewCasesWithZerosLeadNowhereEndless) {
   }
 }
 
+TEST(SmoothFormula, TheScatterAroundItIsThatOfTheCuts) {
+  // single cuts that scatter by 20 %: var(y) / y^2 = 0.04, and of peaks per metre 0.04 y L
+  double ratio = 0.0, of_correlation = 0.0;
+  constexpr int draws = 20;
+  for (int draw = 0; draw < draws; ++draw) {
+    std::vector<TrainingRow> rows = rows_of(0.2, static_cast<std::uint64_t>(draw) + 1);
+    double squares = 0.0;
+    for (TrainingRow& row : rows) {
+      row.cuts = 1;
+      squares += row.outputs[surrogate::most_outputs - 1] * row.outputs[surrogate::most_outputs - 1];
+    }
+    const SmoothFormula formula = surrogate::fit_formula(rows);
+    const surrogate::ScatterLaw law = surrogate::scatter_around(formula, rows);
+    EXPECT_TRUE(law.around_formula);
+    EXPECT_EQ(law.degrees_of_freedom, static_cast<int>(rows.size() - formula.terms()));
+    ratio += law.phi[0] / 0.04 / draws;
+    const double spread = surrogate::standard_error(law, surrogate::most_outputs - 1,
+                                                    std::sqrt(squares / static_cast<double>(rows.size())), 0.05, 1);
+    of_correlation += spread * spread / surrogate::scatter_left(formula, surrogate::most_outputs - 1, rows.size());
+  }
+  EXPECT_NEAR(ratio, 1.0, 0.1);  // 20 draws of 42 degrees of freedom and more: 5 %
+  EXPECT_NEAR(of_correlation / draws, 1.0, 1e-12);
+  const std::vector<TrainingRow> few = rows_of(0.2);
+  const std::span<const TrainingRow> all(few);
+  EXPECT_EQ(surrogate::scatter_around(surrogate::fit_formula(all.first(9)), all.first(9)).degrees_of_freedom, 0);
+}
+
 TEST(SmoothFormula, FurtherInputsHaveTermsToo) {
   std::vector<TrainingRow> rows;
   for (const double porosity : {0.0, 10.0, 40.0}) {

@@ -63,6 +63,7 @@ nlohmann::json as_json(const surrogate::Parity& parity) {
           {"same_data", parity.same_data},
           {"has_held_out", parity.has_held_out},
           {"scatter_degrees_of_freedom", parity.law_degrees},
+          {"scatter_around_formula", parity.scatter_around_formula},
           {"outside_training_range", parity.outside_training_range}};
 }
 

@@ -107,7 +107,12 @@ report::Table deviation_table(const surrogate::Parity& parity) {
 void add_notes(report::Page& page, const surrogate::Model& model, const surrogate::Parity& parity) {
   const surrogate::Provenance& learnt = model.provenance;
   const std::size_t cases = learnt.train_cases.size() + learnt.validation_cases.size() + learnt.test_cases.size();
-  if (cases < enough_cases) {
+  if (cases < enough_cases && learnt.taught_terms > 0) {
+    page.note(fmt::format(
+        "Only {} cases, through which a smooth formula of {} terms goes: the networks know its shape and no "
+        "finer one. What they say between the cases is as true as the formula.",
+        cases, learnt.taught_terms));
+  } else if (cases < enough_cases) {
     page.note(fmt::format(
         "Only {} cases: far too few to learn from ({} parameters a network). The networks can learn the {} cases they "
         "were trained on by heart; what they say elsewhere, including the {} test cases, is a guess. Expect the parity "
@@ -119,6 +124,12 @@ void add_notes(report::Page& page, const surrogate::Model& model, const surrogat
     page.note(
         "No case was cut more than once, so nothing is known of the scatter of the data, and nothing can be said "
         "of how much of a deviation is noise.");
+  }
+  if (parity.scatter_around_formula) {
+    page.note(
+        "No case was cut more than once: the scatter of the data is taken from single cuts around a smooth formula, "
+        "and "
+        "is too large where the force has a shape that the formula cannot follow.");
   }
   if (parity.outside_training_range > 0) {
     page.note(
