@@ -173,7 +173,7 @@ TEST(PeakAmplitudes, ArticleScalingLeavesBandsExceedsTheLargestAndTurnsNegativeA
       negative += *std::min_element(a.begin(), a.end()) < 0.0 ? 1 : 0;
       changed += in_band(a, 0.75, 99.0) != chance.c.n1 || in_band(a, 0.25, 0.75) != chance.c.n23 ? 1 : 0;
     }
-    const auto allowed = [draws](double p) { return 4.5 * std::sqrt(p * (1.0 - p) / draws) + 1e-12; };
+    const auto allowed = [](double p) { return 4.5 * std::sqrt(p * (1.0 - p) / draws) + 1e-12; };
     const std::string name = testing::PrintToString(chance.c.mean);
     EXPECT_NEAR(above / 1.0 / draws, chance.above_largest, allowed(chance.above_largest)) << name;
     EXPECT_NEAR(negative / 1.0 / draws, chance.negative, allowed(chance.negative)) << name;
