@@ -284,7 +284,8 @@ std::vector<base::KeyRow> study_keys() {
   ByDepth by_depth;
   std::vector<base::Section> sections = describe_common(study);
   const auto behind_top_level = sections.begin() + 1;
-  const std::vector<base::Section> cases{describe_table_file(study), describe(study.grid), describe(by_depth)};
+  const std::vector<base::Section> cases{describe_table_file(study), describe(study.grid), describe(study.table),
+                                         describe(by_depth)};
   sections.insert(behind_top_level, cases.begin(), cases.end());
   return base::key_rows(sections);
 }
