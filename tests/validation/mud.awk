@@ -1,4 +1,5 @@
-# Table of tests/validation/mud.sh: one row a variant, mean over its cuts and standard error. Wants ucs_Pa.
+# Table of tests/validation/mud.sh: one row a variant, mean over its cuts and standard error. Wants ucs_Pa; base_name: of
+# the cut that is varied.
 function add(name, value) { sum[name] += value; squares[name] += value * value }
 function largest(name, value) { value = value < 0 ? -value : value; if (value > most[name]) most[name] = value }
 function mean(name) { return sum[name] / n }
@@ -11,13 +12,14 @@ function both(name, format) { return sprintf(format " +- " format, mean(name), e
 function row(  name) {
   if (n == 0) return
   name = file; sub(/\/features\.csv$/, "", name); sub(/.*\//, "", name)
-  if (name == "base") name = "**20 MPa, sealed, 2 mm, 20 deg, 1 m/s, damping 0.1**"
+  if (name == "base") name = base_name
   printf "| %s | %d | %s | %s | %s | %s | %.1f | %.0f | %.2f | %.2f |\n", name, n, both("e", "%.2f"), both("ratio", "%.2f"),
     both("cv", "%.2f"), both("top", "%.1f"), 100 * mean("low"), mean("cracks"), 100 * most["residual"], 100 * most["injected"]
   n = 0; split("", sum); split("", squares); split("", most)
 }
 BEGIN {
   FS = ","
+  if (base_name == "") base_name = "**20 MPa, sealed, 2 mm, 20 deg, 1 m/s, damping 0.1**"
   print "| varied | rocks | E/UCS | F_y/F_x | CV of F_x | A_max/mean | way below a tenth of the mean, % | cracks a mm | residual, most, % | injected, most, % |"
   print "|---|---|---|---|---|---|---|---|---|---|"
 }
