@@ -12,6 +12,7 @@
 #include "base/number.hpp"
 #include "base/units.hpp"
 #include "studies/campaign/plan.hpp"
+#include "surrogate/train/smooth_formula.hpp"
 
 namespace bitrock::studies {
 
@@ -34,10 +35,11 @@ double depth_at(const LearnRange& range, double share) {
 }
 
 double pressure_at(const LearnRange& range, double share) {
-  if (share <= 0.0) return range.low_pressure;
-  if (share >= 1.0) return range.high_pressure;
-  const double root = std::lerp(std::sqrt(range.low_pressure), std::sqrt(range.high_pressure), share);
-  return base::rounded_to_digits(root * root / base::MPa, digits) * base::MPa;
+  const double pressure = surrogate::pressure_between(range.low_pressure, range.high_pressure, share);
+  if (share <= 0.0 || share >= 1.0) return pressure;  // the ends as they are
+  const double rounded = base::rounded_to_digits(pressure / base::MPa, digits);
+  // between none and the least that a cut may have there is nothing: none
+  return dem2d::fluid_pressure_MPa.contains(rounded) ? rounded * base::MPa : range.low_pressure;
 }
 
 }  // namespace

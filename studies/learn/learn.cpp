@@ -128,6 +128,11 @@ double expected_error(const Knowledge& knowledge, double times_cuts) {
   return knowledge.force_error / std::sqrt(times_cuts);
 }
 
+double times_cuts_an_hour_later(double elapsed) {
+  constexpr double hour = 3600.0;
+  return 1.0 + hour / std::max(elapsed, 1.0);
+}
+
 Learnt learn(const LearnRequest& request, const LearnListeners& listeners) {
   LearnNotebook notebook = read_notebook(request.folder);
   const std::string print = fingerprint(request);
@@ -142,6 +147,7 @@ Learnt learn(const LearnRequest& request, const LearnListeners& listeners) {
   LearnDesign design(request.like, range_of(request.like), request.seed);
   ForcesFile all{.study = "learn", .mean_diameter = mean_diameter(request.like), .cuts = {}};
   Learnt learnt{.end = LearnEnd::time_over, .last = {.budget = request.budget}};
+  int cases = 0;  // of all batches before
   for (std::size_t batch = 1;; ++batch) {
     if (batch > notebook.batches.size()) {
       const int cuts = next_batch(request, static_cast<int>(all.cuts.size()), clock.elapsed());
@@ -151,7 +157,8 @@ Learnt learn(const LearnRequest& request, const LearnListeners& listeners) {
     }
     const Study study = design.next(notebook.batches[batch - 1], static_cast<int>(batch));
     run_batch(request, study, batch, listeners);
-    add_cuts(request, study, batch, static_cast<int>(all.cuts.size()), all);
+    add_cuts(request, study, batch, cases, all);
+    cases += notebook.batches[batch - 1];
     if (batch < notebook.batches.size()) continue;  // of an earlier call, which went on
     write_tables(request, all);
     clock.write();

@@ -48,6 +48,9 @@ Knowledge knowledge_of(const surrogate::TrainingData& data);
 /// With so many times the cuts: as one over the root.
 double expected_error(const Knowledge& knowledge, double times_cuts);
 
+/// How many times the cuts there are after an hour more at the pace of the time `elapsed` [s].
+double times_cuts_an_hour_later(double elapsed);
+
 /// How far it is, after a batch.
 struct LearnProgress {
   int batch = 0;                       ///< number of the last one

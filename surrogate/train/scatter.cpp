@@ -4,9 +4,14 @@
 
 namespace bitrock::surrogate {
 
-double scatter_shape(std::size_t output, double value, double cut_length) {
+namespace {
+
+/// var(y) / phi.
+double shape(std::size_t output, double value, double cut_length) {
   return is_count(output) ? value / cut_length : value * value;
 }
+
+}  // namespace
 
 ScatterLaw scatter_law(std::span<const TrainingRow> means) {
   ScatterLaw law;
@@ -20,7 +25,7 @@ ScatterLaw scatter_law(std::span<const TrainingRow> means) {
       if (!row.standard_errors) continue;
       const double error = (*row.standard_errors)[i];
       seen += (row.cuts - 1) * row.cuts * error * error;
-      of_shape += (row.cuts - 1) * scatter_shape(i, row.outputs[i], row.cut_length);
+      of_shape += (row.cuts - 1) * shape(i, row.outputs[i], row.cut_length);
     }
     law.phi[i] = of_shape > 0.0 ? seen / of_shape : 0.0;
   }
@@ -28,7 +33,7 @@ ScatterLaw scatter_law(std::span<const TrainingRow> means) {
 }
 
 double standard_error(const ScatterLaw& law, std::size_t output, double value, double cut_length, int cuts) {
-  return std::sqrt(law.phi[output] * scatter_shape(output, value, cut_length) / cuts);
+  return std::sqrt(law.phi[output] * shape(output, value, cut_length) / cuts);
 }
 
 }  // namespace bitrock::surrogate

@@ -22,15 +22,12 @@ namespace bitrock::surrogate {
 
 struct ScatterLaw {
   OutputValues phi{};           ///< [1], of a single cut
-  int degrees_of_freedom = 0;   ///< sum of n_i - 1; 0: no case was cut twice, and nothing is known
+  int degrees_of_freedom = 0;   ///< sum of n_i - 1, or what a formula leaves; 0: nothing is known
   bool around_formula = false;  ///< found from single cuts around a smooth formula (`smooth_formula.hpp`) instead
 };
 
 /// `means`: one row a case, as from `averaged`.
 ScatterLaw scatter_law(std::span<const TrainingRow> means);
-
-/// var(y) / phi of a single cut.
-double scatter_shape(std::size_t output, double value, double cut_length);
 
 /// Standard error by the law [unit of the output] of the mean over `cuts` cuts of length `cut_length` [m] whose true
 /// value is `value`.

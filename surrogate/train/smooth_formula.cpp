@@ -233,6 +233,12 @@ SmoothFormula fit_formula(std::span<const TrainingRow> rows, std::span<const Lea
   return best;
 }
 
+double pressure_between(double low, double high, double share) {
+  if (share <= 0.0 || share >= 1.0) return share <= 0.0 ? low : high;
+  const double root = std::sqrt(low) + (std::sqrt(high) - std::sqrt(low)) * share;
+  return root * root;
+}
+
 double scatter_left(const SmoothFormula& formula, std::size_t output, std::size_t cases) {
   const auto n = static_cast<double>(cases), p = static_cast<double>(formula.terms());
   return formula.unseen_errors[output] * (n - p) / (n * n);

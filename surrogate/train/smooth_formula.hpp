@@ -84,6 +84,10 @@ ScatterLaw scatter_around(const SmoothFormula& formula, std::span<const Training
 /// With fewer the scatter is known worse than to a quarter.
 inline constexpr int least_scatter_degrees = 8;
 
+/// A pressure of the mud at a share of the way from low to high: evenly in its root, as the formula sees it; the ends
+/// as they are.
+double pressure_between(double low, double high, double share);
+
 /// In the units of `output_names`; never negative, a correlation at most 1.
 Outputs predict(const SmoothFormula& formula, const TrainingRow& conditions);
 

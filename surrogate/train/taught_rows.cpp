@@ -14,13 +14,6 @@ double between(double low, double high, double share) {
   return share == 1.0 ? high : low + (high - low) * share;
 }
 
-/// Evenly in the root, as the formula sees a pressure.
-double root_between(double low, double high, double share) {
-  if (share <= 0.0 || share >= 1.0) return share <= 0.0 ? low : high;
-  const double root = between(std::sqrt(low), std::sqrt(high), share);
-  return root * root;
-}
-
 }  // namespace
 
 std::vector<TrainingRow> taught_rows(const SmoothFormula& formula, std::span<const TrainingRow> rows, int count) {
@@ -38,7 +31,7 @@ std::vector<TrainingRow> taught_rows(const SmoothFormula& formula, std::span<con
                   std::exp(between(std::log(range[1].low), std::log(range[1].high), at[1])),
                   between(range[2].low, range[2].high, at[2])};
     for (std::size_t k = 0; k < formula.further.size(); ++k) {
-      const auto& spread = formula.further[k].name == pressure_input ? root_between : between;
+      const auto& spread = formula.further[k].name == pressure_input ? pressure_between : between;
       row.further[formula.further[k].place] = spread(range[3 + k].low, range[3 + k].high, at[3 + k]);
     }
     row.outputs = predict(formula, row);

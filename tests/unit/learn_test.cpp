@@ -75,7 +75,10 @@ TEST_F(Learn, PressuresLieEvenlyInTheirRootAndOnePressureStaysOne) {
   EXPECT_NEAR(static_cast<double>(std::ranges::count(pressures, 0.0)), 8.0, 4.0);
   EXPECT_NEAR(static_cast<double>(std::ranges::count(pressures, 40e6)), 8.0, 4.0);
   EXPECT_NEAR(static_cast<double>(std::ranges::count_if(pressures, [](double p) { return p < 10e6; })), 100.0, 6.0);
-  EXPECT_TRUE(std::ranges::all_of(pressures, [](double p) { return p >= 0.0 && p <= 40e6; }));
+  studies::LearnDesign many(one, studies::range_of(one), 2);
+  EXPECT_TRUE(std::ranges::all_of(many.next(2000, 1).table.mud_pressure, [](double p) {
+    return p == 0.0 || (p >= 0.01e6 && p <= 40e6);  // as a cut may have it
+  }));
 
   one.grid.mud_pressures = {20e6};
   studies::LearnDesign same(one, studies::range_of(one), 1), none(study(), studies::range_of(study()), 1);

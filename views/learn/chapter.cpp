@@ -7,25 +7,17 @@
 
 #include "base/progress.hpp"
 #include "surrogate/net/model.hpp"
-#include "views/networks/chapter.hpp"
+#include "views/text/learn_lines.hpp"
 
 namespace bitrock::views {
 
 namespace {
-
-constexpr double hour = 3600.0;  // [s]
 
 /// What was known after the first so many cuts.
 studies::Knowledge known_after(const surrogate::TrainingData& data, std::size_t cuts) {
   surrogate::TrainingData first = data;
   first.rows.resize(cuts);
   return studies::knowledge_of(first);
-}
-
-/// In percent, or as it is where the output is a correlation.
-std::string known_to(std::size_t output, double error) {
-  return surrogate::output_names[output].unit == "1" ? fmt::format("{:.2f}", error)
-                                                     : fmt::format("{:.1f} %", 100.0 * error);
 }
 
 report::Table table_of(const studies::Knowledge& knowledge) {
@@ -41,17 +33,19 @@ report::Table table_of(const studies::Knowledge& knowledge) {
 }
 
 /// After each batch, and with an hour more at the pace so far.
-report::Plot plot_of(const surrogate::TrainingData& data, const studies::LearnNotebook& notebook, double more) {
+report::Plot plot_of(const surrogate::TrainingData& data, const studies::LearnNotebook& notebook,
+                     const studies::Knowledge& now, double more) {
   report::Series seen{.name = "so far", .style = report::Style::line_and_markers, .colour = report::Colour::blue},
       expected{.name = "an hour more", .style = report::Style::dashed, .colour = report::Colour::blue};
   std::size_t cuts = 0;
   for (const int batch : notebook.batches) {
+    if (cuts == data.rows.size()) break;  // the cuts of an unfinished batch are not in the table
     cuts = std::min(cuts + static_cast<std::size_t>(batch), data.rows.size());
     if (cuts < 2) continue;
     seen.x.push_back(static_cast<double>(cuts));
-    seen.y.push_back(100.0 * known_after(data, cuts).force_error);
+    const bool all = cuts == data.rows.size();
+    seen.y.push_back(100.0 * (all ? now : known_after(data, cuts)).force_error);
   }
-  const studies::Knowledge now = studies::knowledge_of(data);
   constexpr int pieces = 40;
   for (int i = 0; i <= pieces; ++i) {
     const double times = std::pow(more, static_cast<double>(i) / pieces);
@@ -74,7 +68,7 @@ report::Plot plot_of(const surrogate::TrainingData& data, const studies::LearnNo
 void add_learnt(report::Page& page, const surrogate::TrainingData& data, const studies::LearnNotebook& notebook) {
   if (data.rows.size() < 2) return;
   const studies::Knowledge knowledge = studies::knowledge_of(data);
-  const double more = 1.0 + hour / std::max(notebook.elapsed, 1.0);
+  const double more = studies::times_cuts_an_hour_later(notebook.elapsed);
   page.section(
       "How well the force is known",
       fmt::format("{} cuts in {}, each under conditions of its own that were chosen to teach most, show a smooth force "
@@ -84,7 +78,7 @@ void add_learnt(report::Page& page, const surrogate::TrainingData& data, const s
                   knowledge.cuts, base::readable_duration(notebook.elapsed), knowledge.terms,
                   100.0 * knowledge.force_error, 100.0 * studies::expected_error(knowledge, more)));
   page.table(table_of(knowledge));
-  page.plot(plot_of(data, notebook, more));
+  page.plot(plot_of(data, notebook, knowledge, more));
 }
 
 }  // namespace bitrock::views

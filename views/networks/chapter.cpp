@@ -128,8 +128,7 @@ void add_notes(report::Page& page, const surrogate::Model& model, const surrogat
   if (parity.scatter_around_formula) {
     page.note(
         "No case was cut more than once: the scatter of the data is taken from single cuts around a smooth formula, "
-        "and "
-        "is too large where the force has a shape that the formula cannot follow.");
+        "and is too large where the force has a shape that the formula cannot follow.");
   }
   if (parity.outside_training_range > 0) {
     page.note(

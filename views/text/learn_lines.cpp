@@ -9,6 +9,11 @@
 
 namespace bitrock::views {
 
+std::string known_to(std::size_t output, double error) {
+  return surrogate::output_names[output].unit == "1" ? fmt::format("{:.2f}", error)
+                                                     : fmt::format("{:.1f} %", 100.0 * error);
+}
+
 std::string batch_line(const studies::LearnProgress& progress) {
   const double left = std::max(0.0, progress.budget - progress.elapsed);
   return fmt::format("batch {}: {} cuts in {}; the force is known to {:.1f} % (formula of {} terms); {} left\n",
@@ -23,12 +28,9 @@ std::string learnt_lines(const studies::Learnt& learnt) {
                   learnt.end == studies::LearnEnd::error_reached ? "known well enough" : "the time is over",
                   last.knowledge.cuts, base::readable_duration(last.elapsed));
   for (std::size_t o = 0; o < last.knowledge.errors.size(); ++o) {
-    const double error = last.knowledge.errors[o];
-    const bool plain = surrogate::output_names[o].unit == "1";
-    text += fmt::format("  {:<28} {}\n", surrogate::output_names[o].name,
-                        plain ? fmt::format("{:.2f}", error) : fmt::format("{:.1f} %", 100.0 * error));
+    text += fmt::format("  {:<28} {}\n", surrogate::output_names[o].name, known_to(o, last.knowledge.errors[o]));
   }
-  const double more = 1.0 + 3600.0 / std::max(last.elapsed, 1.0);
+  const double more = studies::times_cuts_an_hour_later(last.elapsed);
   return text + fmt::format("An hour more would bring the force from {:.1f} to some {:.1f} %.\n",
                             100.0 * last.knowledge.force_error, 100.0 * studies::expected_error(last.knowledge, more));
 }

@@ -7,6 +7,9 @@
 
 namespace bitrock::views {
 
+/// How well an output is known: in percent of it, or as it is where it is a correlation.
+std::string known_to(std::size_t output, double error);
+
 /// After a batch: cuts, error of the force, time left.
 std::string batch_line(const studies::LearnProgress& progress);
 
